@@ -1,0 +1,29 @@
+#include "analysis/analysed_block.h"
+
+#include "semantics/check.h"
+
+namespace texbrdf {
+
+bool AnalysedBlock::is_same(std::string_view text, const BlockExtent& extent) const {
+  const BlockExtent& own = parsed.extent;
+  return parsed.text == text && own.begin == extent.begin && own.content == extent.content && own.end == extent.end &&
+         own.ended_by == extent.ended_by;
+}
+
+AnalysedBlock analyse_block(std::string_view text, const BlockExtent& extent, NameTable& table) {
+  AnalysedBlock block;
+  block.parsed = parse_block(text, extent);
+  block.names = read_names(block.parsed, table);
+  for (const DefinitionSyntax& definition : block.parsed.definitions) {
+    std::vector<NameId> mentioned = mentioned_names(block.parsed, definition, block.names);
+    if (block.mentions.empty()) {
+      block.mentions = std::move(mentioned);
+    } else {
+      block.mentions.insert(block.mentions.end(), mentioned.begin(), mentioned.end());
+    }
+    block.mention_ends.push_back(static_cast<uint32_t>(block.mentions.size()));
+  }
+  return block;
+}
+
+}  // namespace texbrdf

@@ -1,0 +1,110 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "diagnostics/diagnostic.h"
+#include "ir/program.h"
+#include "semantics/check.h"
+#include "semantics/names.h"
+#include "source/result.h"
+#include "source/source_text.h"
+#include "syntax/parsed_block.h"
+
+namespace texbrdf {
+
+/// Work done for a snapshot; tests and `texbrdf/stats` read it.
+struct Counters {
+  uint64_t blocks_scanned = 0;
+  uint64_t blocks_parsed = 0;
+  uint64_t definitions_checked = 0;
+};
+
+/// Index of a definition in document order, over all blocks.
+struct DefinitionId {
+  uint32_t value = UINT32_MAX;
+  constexpr bool valid() const { return value != UINT32_MAX; }
+  friend constexpr auto operator<=>(const DefinitionId&, const DefinitionId&) = default;
+};
+
+/// A block of the document with all that is known of it alone.
+struct Block {
+  uint32_t offset = 0;  ///< absolute, of its first byte
+  std::shared_ptr<const ParsedBlock> parsed;
+  std::shared_ptr<const BlockNames> names;
+};
+
+struct Definition {
+  BlockId block;
+  uint32_t index_in_block = 0;
+  NameId name;
+  bool in_force = true;  ///< false for a later definition of a name
+  std::shared_ptr<const CheckedDefinition> checked;
+};
+
+/// What stands at a place of the document: a name and what it refers to.
+struct Occurrence {
+  Span span;  ///< absolute
+  NodeId node;
+  BlockId block;
+  NameId name;
+  DefinitionId inside;         ///< the definition in which it stands
+  Referent referent;           ///< Parameter and Convention refer as in check.h; Definition: see `target`
+  DefinitionId target;         ///< for a definition's name or a reference to one
+  bool is_definition = false;  ///< it stands on the left side (the defined name, or a parameter's declaration)
+};
+
+/// A document as it is at one version: text, blocks, definitions, types. Immutable; the facade that everything outside
+/// the compiler uses. All spans given out are absolute byte ranges of `text()` unless said otherwise.
+class Snapshot {
+ public:
+  const SourceText& text() const;
+  std::span<const Block> blocks() const;
+  std::span<const Definition> definitions() const;
+  const Definition& definition(DefinitionId id) const;
+  const DefinitionSyntax& syntax(DefinitionId id) const;
+  const ParsedBlock& parsed(BlockId id) const;
+  const NameTable& names() const;
+  Counters counters() const;
+
+  /// The absolute range of a location.
+  Span absolute(const Location& location) const;
+  Span absolute(BlockId block, Span relative) const;
+
+  /// In document order; what depends on the whole document (nearest names, redefinitions, cycles, the root) is added
+  /// here. The root is `root_name`.
+  std::vector<Diagnostic> diagnostics(std::string_view root_name = "f") const;
+  bool has_errors() const;
+
+  /// The definition in force.
+  std::optional<DefinitionId> find(std::string_view canonical) const;
+  std::optional<DefinitionId> find(NameId name) const;
+  /// The name whose spelling contains or touches the offset; the innermost one (\omega_i inside \vec{\omega_i} is not
+  /// a name of its own).
+  std::optional<Occurrence> occurrence_at(uint32_t offset) const;
+  /// All occurrences of the same thing, in document order, with its declaration.
+  std::vector<Occurrence> occurrences_of(const Occurrence& occurrence) const;
+
+  /// The value of a plain definition that depends on no direction; nothing where it has none.
+  std::optional<std::vector<double>> constant_value(DefinitionId id) const;
+  /// The equation's source on one line, white space folded.
+  std::string equation(DefinitionId id) const;
+
+  /// What the linker needs of a definition; nullptr where it is not usable.
+  const ir::LinkableDefinition* linkable(NameId name) const;
+  /// Everything that a root needs (default `f`), or why it cannot be had, in one line for a person.
+  Result<ir::Program> program(std::string_view root = "f", const ir::LinkOptions& options = {}) const;
+
+  struct State;
+  explicit Snapshot(std::shared_ptr<const State> state);
+
+ private:
+  std::shared_ptr<const State> state_;
+};
+
+}  // namespace texbrdf

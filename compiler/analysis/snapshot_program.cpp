@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <array>
+
+#include "analysis/snapshot_state.h"
+#include "ir/lower.h"
+#include "ir/passes/passes.h"
+#include "semantics/parameter.h"
+
+namespace texbrdf {
+namespace {
+
+ir::LinkableDefinition make_linkable(const Snapshot::State& state, uint32_t index) {
+  const ListedDefinition& listed = state.list.definitions[index];
+  const AnalysedBlock& block = *state.placed[listed.block].block;
+  const DefinitionSyntax& syntax = block.parsed.definitions[listed.index_in_block];
+  const CheckedDefinition& checked = state.checked.records[index]->checked;
+
+  ir::LinkableDefinition linkable;
+  linkable.id = listed.name;
+  linkable.name = read_name(block.parsed, syntax.name);
+  linkable.canonical = canonical_form(linkable.name);
+  linkable.signature = checked.signature;
+  for (const CheckedParameter& parameter : checked.parameters) {
+    linkable.formals.push_back(read_name(block.parsed, parameter.node));
+  }
+  linkable.graph = ir::lower_definition(block.parsed, syntax, block.names, checked);
+  std::vector<Diagnostic> reported_already;
+  linkable.literal = parameter_literal(block.parsed, syntax, reported_already);
+  linkable.equation = one_line(block.parsed, syntax);
+  return linkable;
+}
+
+std::string quoted(std::string_view name) {
+  return "`" + std::string(name) + "`";
+}
+
+/// The graph with every parameter and constant of the convention as the number that it is now.
+ir::Graph with_numbers(const ir::Graph& graph, const ir::Program& program) {
+  ir::Graph out;
+  std::vector<ir::ValueId> copies;
+  std::vector<ir::ValueId> operands;
+  const auto number = [&](const ir::Value& value) -> std::optional<ir::ValueId> {
+    if (value.op == ir::Op::Parameter) {
+      const ir::Parameter& parameter = program.parameters[value.index];
+      if (parameter.type == Type::Real) return out.constant(parameter.value[0]);
+      const std::array<ir::ValueId, 3> components = {out.constant(parameter.value[0]), out.constant(parameter.value[1]),
+                                                     out.constant(parameter.value[2])};
+      return out.add(ir::Op::MakeVector, components);
+    }
+    if (value.op != ir::Op::Convention) return std::nullopt;
+    const std::optional<double> constant = convention_constant(static_cast<Convention>(value.index));
+    return constant ? std::optional(out.constant(*constant)) : std::nullopt;
+  };
+  for (uint32_t id = 0; id < graph.size(); ++id) {
+    const ir::Value& value = graph.at({id});
+    operands.clear();
+    for (ir::ValueId operand : graph.operands({id})) operands.push_back(copies[operand.value]);
+    const std::optional<ir::ValueId> replaced = number(value);
+    copies.push_back(replaced ? *replaced : out.copy(value, operands));
+  }
+  for (ir::ValueId root : graph.roots) out.roots.push_back(copies[root.value]);
+  return out;
+}
+
+std::optional<std::vector<double>> constant_of(const ir::Graph& graph, ir::ValueId root) {
+  std::vector<double> numbers;
+  const auto take = [&](ir::ValueId id) {
+    const bool is_constant = graph.at(id).op == ir::Op::Constant;
+    if (is_constant) numbers.push_back(graph.at(id).constant);
+    return is_constant;
+  };
+  if (graph.at(root).op != ir::Op::MakeVector) {
+    if (!take(root)) return std::nullopt;
+  } else if (!std::ranges::all_of(graph.operands(root), take)) {
+    return std::nullopt;
+  }
+  return numbers;
+}
+
+}  // namespace
+
+const ir::LinkableDefinition* Snapshot::linkable(NameId name) const {
+  const uint32_t index = state_->list.find(name);
+  if (index == kNoDefinition || !state_->checked.records[index]->checked.usable) return nullptr;
+  return &state_->checked.records[index]->linkable([&] { return make_linkable(*state_, index); });
+}
+
+Result<ir::Program> Snapshot::program(std::string_view root, const ir::LinkOptions& options) const {
+  const std::optional<DefinitionId> id = find(root);
+  if (!id) return Failure{"no equation defines " + quoted(root)};
+  const Definition& found = definition(*id);
+  if (!found.checked->usable)
+    return Failure{quoted(root) + " cannot be used: it or something that it needs has an error"};
+  if (!is_brdf(found.checked->signature)) {
+    return Failure{quoted(root) + " is " + signature_text(found.checked->signature) +
+                   ", but a BRDF is ℝ or ℝ³, plain or a function of two vectors"};
+  }
+  return ir::link([this](NameId name) { return linkable(name); }, found.name, options);
+}
+
+std::optional<std::vector<double>> Snapshot::constant_value(DefinitionId id) const {
+  const Definition& wanted = definition(id);
+  if (!wanted.in_force || !wanted.checked->usable || wanted.checked->signature.is_function) return std::nullopt;
+  const Result<ir::Program> program = ir::link([this](NameId name) { return linkable(name); }, wanted.name, {});
+  if (!program) return std::nullopt;
+  const Result<ir::Graph> flat = ir::flatten(*program);
+  if (!flat) return std::nullopt;
+  const ir::Graph folded = ir::fold_constants(with_numbers(*flat, *program));
+  return constant_of(folded, folded.roots.front());
+}
+
+}  // namespace texbrdf

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "emit/emit.h"
+
+namespace texbrdf::emit {
+
+/// A .brdf file: parameters with their ranges, then the shader.
+Result<std::string> emit_disney(const ir::Program& program, const EmitOptions& options);
+
+}  // namespace texbrdf::emit

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+
+#include "emit/code.h"
+#include "emit/helpers.h"
+#include "emit/ranges.h"
+#include "ir/graph.h"
+
+namespace texbrdf::emit {
+
+/// A number of any sign, NaN and infinities included.
+ExpressionId write_number(ExpressionPool& pool, double number);
+
+/// Writes single values of one graph as expressions of GLSL; what stands for the operands is decided outside.
+class ExpressionWriter {
+ public:
+  /// `uses[i]`: how many operands and roots value i is.
+  ExpressionWriter(ExpressionPool& pool, const ir::Graph& graph, std::span<const Range> ranges,
+                   std::span<const uint32_t> uses, std::set<Helper>& helpers)
+      : pool_(pool), graph_(graph), ranges_(ranges), uses_(uses), helpers_(helpers) {}
+
+  /// `written[i]` is what stands for value i. Not for leaves that are names, calls and reductions.
+  ExpressionId write(ir::ValueId id, std::span<const ExpressionId> written);
+
+ private:
+  ExpressionId operand(ir::ValueId id, uint32_t index) const { return written_[graph_.operand(id, index).value]; }
+  const Range& range(ir::ValueId id, uint32_t index) const { return ranges_[graph_.operand(id, index).value]; }
+  std::vector<ExpressionId> operands(ir::ValueId id) const;
+  ExpressionId number(double value) { return write_number(pool_, value); }
+  ExpressionId infix(Precedence precedence, std::string_view op, ExpressionId left, ExpressionId right) {
+    return pool_.infix(precedence, op, left, right);
+  }
+  ExpressionId helper(Helper helper, std::vector<ExpressionId> arguments);
+  ExpressionId dot_operands(ir::ValueId id, uint32_t first, uint32_t second);
+  ExpressionId clamped(ExpressionId x) { return pool_.call("clamp", {x, number(-1), number(1)}); }
+
+  ExpressionId product(ExpressionId left, ExpressionId right);
+  ExpressionId quotient(ir::ValueId id);
+  bool is_repeated(ExpressionId id, std::string_view name) const;
+  ExpressionId convention(ir::ValueId id);
+  ExpressionId extremum(ir::ValueId id);
+  std::optional<ExpressionId> clamp(ir::ValueId id);
+  ExpressionId power(ir::ValueId id);
+  ExpressionId whole_power(ExpressionId base, uint32_t exponent);
+  ExpressionId inverse_cosine_or_sine(ir::ValueId id, std::string_view function, Helper helper);
+
+  ExpressionPool& pool_;
+  const ir::Graph& graph_;
+  std::span<const Range> ranges_;
+  std::span<const uint32_t> uses_;
+  std::set<Helper>& helpers_;
+  std::span<const ExpressionId> written_;
+};
+
+}  // namespace texbrdf::emit

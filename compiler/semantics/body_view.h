@@ -1,0 +1,60 @@
+#pragma once
+
+#include <algorithm>
+#include <iterator>
+#include <span>
+#include <vector>
+
+#include "semantics/check.h"
+
+namespace texbrdf {
+
+/// What the parts of the checker read of one definition.
+struct DefinitionView {
+  const ParsedBlock& block;
+  const DefinitionSyntax& syntax;
+  const BlockNames& names;
+  const NameTable& table;
+  const Facts& facts;
+
+  const Node& node(NodeId id) const { return block.tree.node(id); }
+  const Token& token(uint32_t index) const { return block.tokens[index]; }
+  NameId name(NodeId id) const { return names.by_node[id.value]; }
+  std::string name_text(NodeId id) const { return shown_name(table.text(name(id))); }
+  std::string defined_text() const { return name_text(syntax.name); }
+  /// Place of a node in the definition's side tables.
+  uint32_t slot(NodeId id) const { return id.value - syntax.first_node; }
+  uint32_t slot_count() const { return syntax.node.value - syntax.first_node + 1; }
+  /// The nodes of the right side, children before parents.
+  uint32_t body_begin() const { return syntax.left.value + 1; }
+  uint32_t body_end() const { return syntax.body.value + 1; }
+
+  Location at(NodeId id) const { return Location{.file = {}, .block = {}, .span = block.span(id)}; }
+  Location at_token(uint32_t index) const { return Location{.file = {}, .block = {}, .span = token(index).span}; }
+  /// `name(` is a call wherever it stands.
+  bool is_callee(NodeId name_node) const { return token(node(name_node).end_token).kind == TokenKind::OpenParen; }
+  NodeId without_groups(NodeId id) const {
+    while (node(id).kind == NodeKind::Group && node(id).child_count == 1) id = block.tree.child(id, 0);
+    return id;
+  }
+};
+
+/// Tokens that are not read: the brace group behind an unknown command.
+struct SkippedTokens {
+  uint32_t begin, end;
+};
+
+/// A body whose names are known: what the types are formed from.
+struct ResolvedBody {
+  std::vector<Referent> referents;     ///< by slot
+  std::vector<Type> leaves;            ///< by slot: of names that are no parameter; Error for all others
+  std::vector<SkippedTokens> skipped;  ///< in order, apart from each other
+
+  bool is_skipped(uint32_t first_token, uint32_t end_token) const {
+    const auto behind = std::ranges::upper_bound(skipped, first_token, {}, &SkippedTokens::begin);
+    return behind != skipped.begin() && end_token <= std::prev(behind)->end;
+  }
+  bool is_skipped(const Node& node) const { return is_skipped(node.first_token, node.end_token); }
+};
+
+}  // namespace texbrdf

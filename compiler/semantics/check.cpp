@@ -1,0 +1,150 @@
+#include "semantics/check.h"
+
+#include <algorithm>
+#include <iterator>
+#include <unordered_set>
+
+#include "semantics/body_view.h"
+#include "semantics/infer_parameters.h"
+#include "semantics/parameter.h"
+#include "semantics/resolve.h"
+#include "semantics/type_body.h"
+
+namespace texbrdf {
+namespace {
+
+bool has_error(const std::vector<Diagnostic>& diagnostics) {
+  return std::ranges::any_of(diagnostics, [](const Diagnostic& d) { return d.severity == Severity::Error; });
+}
+
+class DefinitionCheck {
+ public:
+  explicit DefinitionCheck(const DefinitionView& view) : view_(view) {}
+
+  CheckedDefinition run() {
+    checked_.name = view_.name(view_.syntax.name);
+    body_ = resolve_names(view_, checked_);
+    TypedBody typed = read_body();
+    checked_.types = std::move(typed.types);
+    if (view_.syntax.readable) append(std::move(typed.diagnostics));
+    finish();
+    return std::move(checked_);
+  }
+
+ private:
+  bool has_open_parameters() const {
+    return std::ranges::any_of(checked_.parameters, [](const CheckedParameter& p) { return p.inferred; });
+  }
+
+  std::vector<Type> parameter_types() const {
+    std::vector<Type> types;
+    for (const CheckedParameter& parameter : checked_.parameters) types.push_back(parameter.type);
+    return types;
+  }
+
+  bool fits(const TypedBody& typed) const { return typed.diagnostics.empty(); }
+  Type body_type(const TypedBody& typed) const { return typed.types[view_.slot(view_.syntax.body)]; }
+
+  TypedBody read_body() {
+    std::vector<Type> known = parameter_types();
+    if (!has_open_parameters()) return type_body(view_, body_, std::move(body_.leaves), known);
+    TypedBody open = type_body(view_, body_, body_.leaves, known);
+    const bool is_faulty = !fits(open) || has_error(checked_.diagnostics) || !view_.syntax.readable;
+    if (is_faulty) return open;
+
+    std::vector<Type> all_real = known;
+    std::ranges::replace(all_real, Type::Error, Type::Real);
+    TypedBody real = type_body(view_, body_, body_.leaves, all_real);
+    if (fits(real)) return decide(std::move(real), all_real);
+    if (const auto inferred = infer_parameters(view_, body_, std::move(known))) {
+      return decide(type_body(view_, body_, body_.leaves, *inferred), *inferred);
+    }
+    return real;
+  }
+
+  // A body that holds poison says nothing about its parameters.
+  TypedBody decide(TypedBody typed, const std::vector<Type>& types) {
+    if (body_type(typed) == Type::Error) return typed;
+    for (size_t i = 0; i < types.size(); ++i) {
+      CheckedParameter& parameter = checked_.parameters[i];
+      parameter.type = types[i];
+      if (parameter.inferred && types[i] == Type::Vector) hint_vector(parameter);
+    }
+    return typed;
+  }
+
+  void hint_vector(const CheckedParameter& parameter) {
+    const std::string name = view_.name_text(parameter.node);
+    const std::string spelling = "\\vec{" + name + "}";
+    Diagnostic diagnostic = make_diagnostic(Code::VectorParameter, view_.at(parameter.node), {name, spelling});
+    Fix fix{.title = "write `" + spelling + "`", .edits = {}};
+    for (uint32_t node = view_.syntax.first_node; node < view_.body_end(); ++node) {
+      if (view_.name(NodeId{node}) != parameter.name) continue;
+      const Location where = view_.at(NodeId{node});
+      fix.edits.push_back({where, "\\vec{" + std::string(view_.block.slice(where.span)) + "}"});
+    }
+    diagnostic.fixes.push_back(std::move(fix));
+    checked_.diagnostics.push_back(std::move(diagnostic));
+  }
+
+  // A name that is undefined where an operator is missing is one problem, and an unknown command is the cause of it.
+  void append(std::vector<Diagnostic> found) {
+    const std::unordered_set<uint32_t> gaps = places(found, Code::MissingOperator);
+    if (!gaps.empty()) {
+      const std::unordered_set<uint32_t> commands = places(checked_.diagnostics, Code::UnknownCommand);
+      erase_at(found, Code::MissingOperator, commands);
+      erase_at(checked_.diagnostics, Code::UndefinedName, gaps);
+    }
+    std::ranges::move(found, std::back_inserter(checked_.diagnostics));
+  }
+
+  static std::unordered_set<uint32_t> places(const std::vector<Diagnostic>& diagnostics, Code code) {
+    std::unordered_set<uint32_t> found;
+    for (const Diagnostic& diagnostic : diagnostics) {
+      if (diagnostic.code == code) found.insert(diagnostic.where.span.begin);
+    }
+    return found;
+  }
+
+  static void erase_at(std::vector<Diagnostic>& diagnostics, Code code, const std::unordered_set<uint32_t>& begins) {
+    std::erase_if(diagnostics,
+                  [&](const Diagnostic& d) { return d.code == code && begins.contains(d.where.span.begin); });
+  }
+
+  void finish() {
+    Signature& signature = checked_.signature;
+    signature.is_function = view_.node(view_.syntax.left).kind == NodeKind::Signature;
+    signature.parameters = parameter_types();
+    const bool is_sound = view_.syntax.readable && !has_error(checked_.diagnostics);
+    if (is_sound) signature.result = checked_.types[view_.slot(view_.syntax.body)];
+    checked_.usable = signature.result != Type::Error;
+    checked_.referents = std::move(body_.referents);
+    write_left_types();
+    if (checked_.diagnostics.size() > kMaxReports) checked_.diagnostics.resize(kMaxReports, checked_.diagnostics[0]);
+    const bool may_have_range = checked_.usable && !view_.block.comments.empty();
+    if (may_have_range) parameter_literal(view_.block, view_.syntax, checked_.diagnostics);
+  }
+
+  void write_left_types() {
+    checked_.types[view_.slot(view_.syntax.name)] = checked_.signature.result;
+    checked_.types[view_.slot(view_.syntax.left)] = checked_.signature.result;
+    checked_.types[view_.slot(view_.syntax.node)] = checked_.signature.result;
+    for (const CheckedParameter& parameter : checked_.parameters) {
+      checked_.types[view_.slot(parameter.node)] = parameter.type;
+    }
+  }
+
+  const DefinitionView& view_;
+  CheckedDefinition checked_;
+  ResolvedBody body_;
+};
+
+}  // namespace
+
+CheckedDefinition check_definition(const ParsedBlock& block, const DefinitionSyntax& definition,
+                                   const BlockNames& names, const NameTable& table, const Facts& facts) {
+  const DefinitionView view{block, definition, names, table, facts};
+  return DefinitionCheck(view).run();
+}
+
+}  // namespace texbrdf

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "semantics/types.h"
+
+namespace texbrdf {
+
+/// Built-in names, from conventions.def.
+enum class Convention : uint8_t {
+#define CONVENTION(name, type, spellings, operands, symbol, formula, meaning) name,
+#include "semantics/conventions.def"
+#undef CONVENTION
+};
+
+struct ConventionEntry {
+  Convention id;
+  Type type;
+  std::vector<std::string_view> spellings;  ///< canonical forms; empty for the tangent frame, which has no name yet
+  std::vector<Convention> operands;
+  std::string_view symbol;
+  std::string_view formula;
+  std::string_view meaning;
+};
+
+const ConventionEntry& convention_entry(Convention id);
+std::span<const ConventionEntry> conventions();
+/// By the canonical form of a name.
+std::optional<Convention> find_convention(std::string_view canonical);
+
+inline constexpr double kPi = 3.141592653589793;
+inline constexpr double kEpsilon = 1.192092896e-07;
+/// The value of Pi and Epsilon; no other convention is constant.
+std::optional<double> convention_constant(Convention id);
+
+}  // namespace texbrdf

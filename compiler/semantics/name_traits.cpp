@@ -1,0 +1,62 @@
+#include "semantics/name_traits.h"
+
+#include <algorithm>
+#include <array>
+
+namespace texbrdf {
+namespace {
+
+constexpr auto kGreekLetters = std::to_array<std::string_view>({
+#define GREEK_LETTER(name) #name,
+#include "semantics/greek_letters.def"
+#undef GREEK_LETTER
+});
+
+constexpr auto kReservedWords = std::to_array<std::string_view>({
+#define COMMAND(name, spelling, category) spelling,
+#include "syntax/commands.def"
+#undef COMMAND
+});
+
+constexpr std::string_view kVec = "\\vec{";
+
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+std::string_view leading_letters(std::string_view text) {
+  return text.substr(0, std::find_if_not(text.begin(), text.end(), is_letter) - text.begin());
+}
+
+std::string_view without_vec(std::string_view canonical) {
+  while (canonical.starts_with(kVec)) canonical.remove_prefix(kVec.size());
+  return canonical;
+}
+
+}  // namespace
+
+bool is_greek_letter(std::string_view word) {
+  return std::ranges::find(kGreekLetters, word) != kGreekLetters.end();
+}
+
+bool is_reserved_word(std::string_view word) {
+  return std::ranges::find(kReservedWords, word) != kReservedWords.end();
+}
+
+NameTraits name_traits(std::string_view canonical) {
+  NameTraits traits;
+  traits.convention = find_convention(canonical);
+  const bool is_direction = traits.convention == Convention::OmegaI || traits.convention == Convention::OmegaO;
+  traits.is_vector = canonical.starts_with(kVec) || is_direction;
+  const std::string_view base = without_vec(canonical);
+  if (!base.starts_with('\\')) {
+    traits.is_reserved = is_reserved_word(leading_letters(base));
+    return traits;
+  }
+  const std::string_view command = leading_letters(base.substr(1));
+  const bool is_decoration = base.substr(1 + command.size()).starts_with('{');
+  traits.is_foreign_command = !is_decoration && !traits.convention && !is_greek_letter(command);
+  return traits;
+}
+
+}  // namespace texbrdf

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "semantics/conventions.h"
+
+namespace texbrdf {
+
+/// What the spelling of a name says by itself.
+struct NameTraits {
+  std::optional<Convention> convention;
+  bool is_vector = false;           ///< a parameter of this name is ℝ³ by its spelling
+  bool is_reserved = false;         ///< `exp`, `max` … without backslash
+  bool is_foreign_command = false;  ///< a `\word` that is neither a Greek letter nor a convention
+};
+
+NameTraits name_traits(std::string_view canonical);
+bool is_greek_letter(std::string_view word_without_backslash);
+bool is_reserved_word(std::string_view word);
+
+}  // namespace texbrdf

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "semantics/name_traits.h"
+#include "syntax/parsed_block.h"
+
+namespace texbrdf {
+
+/// Index of a canonical name in a NameTable.
+struct NameId {
+  uint32_t value = UINT32_MAX;
+  constexpr bool valid() const { return value != UINT32_MAX; }
+  friend constexpr auto operator<=>(const NameId&, const NameId&) = default;
+};
+
+/// What is written around a name and is part of it.
+enum class Decoration : uint8_t { None, Vec, Text, Roman };
+
+/// A name as a reader sees it: \vec{\omega_i} is (vec, \omega, [i]), and so is \vec{\omega}_i. The one place that
+/// decides which spellings are the same name is `canonical_form`.
+struct Name {
+  std::string base;         ///< "rho" of \rho, "val", "cook_torrance" of \text{cook\_torrance}
+  bool is_command = false;  ///< the base is written with a backslash
+  Decoration decoration = Decoration::None;
+  std::vector<std::string> inner;       ///< for Vec: canonical form of what it decorates (one element), else empty
+  std::vector<std::string> subscripts;  ///< canonical forms without braces, in order
+  uint32_t subscripts_inside = 0;       ///< for Vec: how many of them `inner` holds
+  uint32_t primes = 0;
+};
+
+/// The structure of a Name node.
+Name read_name(const ParsedBlock& block, NodeId name);
+/// Equal for equal names, and itself a valid spelling of the name: `\phi_{\text{diff}}`, `x_1`, `\vec{n}`. The
+/// spellings of one convention are one name: `\vec{\omega_i}` gives `\omega_i`.
+std::string canonical_form(const Name& name);
+
+/// A name as messages show it: the end of a very long one is left out.
+std::string shown_name(std::string_view canonical);
+
+/// Interns canonical names; ids stay valid as long as the table. One language thread writes; others may call `text`,
+/// `traits` and `find` at the same time for what was interned before they got the table.
+class NameTable {
+ public:
+  NameTable();
+  NameTable(const NameTable&) = delete;
+  NameTable& operator=(const NameTable&) = delete;
+  ~NameTable();
+
+  NameId intern(std::string_view canonical);
+  /// By the canonical form, or another spelling that was met. Invalid where the name was never interned.
+  NameId find(std::string_view spelling) const;
+  std::string_view text(NameId id) const;
+  const NameTraits& traits(NameId id) const;
+  uint32_t size() const;
+
+  /// Notes that source text spells the name, so that it need not be read again. Precondition: `find` does not know it.
+  void add_spelling(std::string_view spelling, NameId id);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The names of one block: by NodeId for Name nodes, invalid for all others.
+struct BlockNames {
+  std::vector<NameId> by_node;
+};
+
+/// Elements of a vector literal are no names: they must be numbers.
+BlockNames read_names(const ParsedBlock& block, NameTable& table);
+
+}  // namespace texbrdf

@@ -1,0 +1,166 @@
+#include "semantics/resolve.h"
+
+#include "semantics/name_spelling.h"
+#include "semantics/small_name_map.h"
+
+namespace texbrdf {
+namespace {
+
+class Resolver {
+ public:
+  Resolver(const DefinitionView& view, CheckedDefinition& checked) : view_(view), checked_(checked) {
+    body_.referents.resize(view.slot_count());
+    body_.leaves.resize(view.slot_count());
+  }
+
+  ResolvedBody run() {
+    read_left();
+    for (uint32_t node = view_.body_begin(); node < view_.body_end(); ++node) {
+      if (view_.node(NodeId{node}).kind == NodeKind::Name) read_name_node(NodeId{node});
+    }
+    checked_.mentioned = mentioned_.take();
+    return std::move(body_);
+  }
+
+ private:
+  void read_left() {
+    const NodeId name = view_.syntax.name;
+    body_.referents[view_.slot(name)] = {Referent::Kind::Definition, view_.name(name).value};
+    const NameTraits& traits = view_.table.traits(view_.name(name));
+    if (traits.is_reserved) report_reserved(name);
+    if (traits.convention && convention_constant(*traits.convention)) report(Code::ConstantRedefined, name);
+    if (view_.node(view_.syntax.left).kind != NodeKind::Signature) return;
+    for (NodeId parameter : view_.block.tree.children(view_.syntax.left).subspan(1)) read_parameter(parameter);
+  }
+
+  void read_parameter(NodeId node) {
+    const NameId name = view_.name(node);
+    const auto position = static_cast<uint32_t>(checked_.parameters.size());
+    CheckedParameter& parameter = checked_.parameters.emplace_back();
+    parameter.node = node;
+    parameter.name = name;
+    body_.referents[view_.slot(node)] = {Referent::Kind::Parameter, position};
+    if (!name.valid()) return;
+    const NameTraits& traits = view_.table.traits(name);
+    parameter.inferred = !traits.is_vector;
+    if (traits.is_vector) parameter.type = Type::Vector;
+    if (traits.convention) parameter.shadowed.push_back(*traits.convention);
+    if (traits.is_reserved) report_reserved(node);
+    if (parameter_names_.insert(name)) {
+      parameter_positions_.push_back(position);
+    } else {
+      report_repeated(node, checked_.parameters[*position_of(name)].node);
+    }
+  }
+
+  std::optional<uint32_t> position_of(NameId name) const {
+    const std::optional<uint32_t> index = parameter_names_.find(name);
+    if (!index) return std::nullopt;
+    return parameter_positions_[*index];
+  }
+
+  void read_name_node(NodeId node) {
+    const NameId name = view_.name(node);
+    if (!name.valid() || body_.is_skipped(view_.node(node))) return;
+    if (const std::optional<uint32_t> position = position_of(name)) {
+      refer(node, {Referent::Kind::Parameter, *position}, Type::Error, false);
+      return;
+    }
+    mentioned_.insert(name);
+    if (const NameFact& fact = view_.facts.fact(name); fact.kind == NameFact::Kind::Defined) {
+      refer(node, {Referent::Kind::Definition, name.value}, fact.signature.result, fact.signature.is_function);
+      return;
+    }
+    const NameTraits& traits = view_.table.traits(name);
+    if (traits.convention) {
+      const auto index = static_cast<uint32_t>(*traits.convention);
+      refer(node, {Referent::Kind::Convention, index}, convention_entry(*traits.convention).type, false);
+      return;
+    }
+    report_unresolved(node, traits);
+  }
+
+  void refer(NodeId node, Referent referent, Type type, bool is_function) {
+    const uint32_t slot = view_.slot(node);
+    body_.referents[slot] = referent;
+    const bool is_callee = view_.is_callee(node);
+    if (is_callee == is_function) {
+      body_.leaves[slot] = type;
+    } else if (is_callee) {
+      report(Code::NotAFunction, node);
+    } else {
+      report(Code::FunctionAsValue, node);
+    }
+  }
+
+  void report_unresolved(NodeId node, const NameTraits& traits) {
+    if (traits.is_reserved) {
+      report_reserved(node);
+    } else if (traits.is_foreign_command) {
+      report(Code::UnknownCommand, node);
+      skip_groups_behind(view_.node(node).end_token);
+    } else {
+      checked_.diagnostics.push_back(
+          make_diagnostic(Code::UndefinedName, view_.at(node), {view_.name_text(node), view_.defined_text(), ""}));
+    }
+  }
+
+  void skip_groups_behind(uint32_t token) {
+    const auto end = static_cast<uint32_t>(view_.block.tokens.size() - 1);
+    uint32_t behind = token;
+    while (view_.token(behind).kind == TokenKind::OpenBrace) behind = behind_closer(view_.block, behind, end);
+    if (behind > token) body_.skipped.push_back({token, behind});
+  }
+
+  void report(Code code, NodeId node) {
+    checked_.diagnostics.push_back(make_diagnostic(code, view_.at(node), {view_.name_text(node)}));
+  }
+
+  void report_repeated(NodeId node, NodeId first) {
+    report(Code::RepeatedParameter, node);
+    checked_.diagnostics.back().related.push_back({view_.at(first), "first here"});
+  }
+
+  void report_reserved(NodeId node) {
+    uint32_t word = view_.node(node).first_token;
+    while (view_.token(word).kind != TokenKind::Word) ++word;
+    const std::string text(view_.block.token_text(word));
+    Diagnostic diagnostic = make_diagnostic(Code::ReservedWord, view_.at(node), {text});
+    const uint32_t begin = view_.token(word).span.begin;
+    const Location before{.file = {}, .block = {}, .span = {begin, begin}};
+    diagnostic.fixes.push_back({.title = "write `\\" + text + "`", .edits = {{before, "\\"}}});
+    checked_.diagnostics.push_back(std::move(diagnostic));
+  }
+
+  const DefinitionView& view_;
+  CheckedDefinition& checked_;
+  ResolvedBody body_;
+  SmallNameMap parameter_names_;
+  std::vector<uint32_t> parameter_positions_;  // of each name's first parameter
+  SmallNameMap mentioned_;
+};
+
+}  // namespace
+
+ResolvedBody resolve_names(const DefinitionView& view, CheckedDefinition& checked) {
+  return Resolver(view, checked).run();
+}
+
+std::vector<NameId> mentioned_names(const ParsedBlock& block, const DefinitionSyntax& definition,
+                                    const BlockNames& names) {
+  SmallNameMap hidden;
+  if (block.tree.node(definition.left).kind == NodeKind::Signature) {
+    for (NodeId parameter : block.tree.children(definition.left).subspan(1)) {
+      const NameId name = names.by_node[parameter.value];
+      if (name.valid()) hidden.insert(name);
+    }
+  }
+  SmallNameMap mentioned;
+  for (uint32_t node = definition.left.value + 1; node <= definition.body.value; ++node) {
+    const NameId name = names.by_node[node];
+    if (name.valid() && !hidden.find(name)) mentioned.insert(name);
+  }
+  return mentioned.take();
+}
+
+}  // namespace texbrdf

@@ -1,0 +1,143 @@
+#include "semantics/type_body.h"
+
+#include <string>
+
+#include "semantics/type_walk.h"
+
+namespace texbrdf {
+namespace {
+
+std::string ordinal(size_t number) {
+  const size_t last_two = number % 100;
+  const bool is_teen = last_two >= 11 && last_two <= 13;
+  const std::string_view endings[] = {"th", "st", "nd", "rd"};
+  const size_t last = number % 10;
+  return std::to_string(number).append(endings[is_teen || last > 3 ? 0 : last]);
+}
+
+std::string count_of_arguments(size_t count) {
+  return std::to_string(count).append(count == 1 ? " argument" : " arguments");
+}
+
+class OneType {
+ public:
+  using Value = Type;
+
+  /// `typed.types` holds the leaves to begin with.
+  OneType(const DefinitionView& view, const ResolvedBody& body, std::span<const Type> parameters, TypedBody& typed)
+      : view_(view), body_(body), parameters_(parameters), types_(typed.types), out_(typed.diagnostics) {}
+
+  bool stopped() const { return false; }
+  Type exactly(Type type) const { return type; }
+  Type leaf(uint32_t slot) const { return types_[slot]; }
+  Type parameter(uint32_t position) const { return parameters_[position]; }
+
+  Type binary(NodeId id, Operator op, Type left, Type right) {
+    if (const std::optional<Type> found = result(op, left, right)) return *found;
+    if (op == Operator::Power) {
+      expect_real(id, view_.block.tree.child(id, 0), left);
+      expect_real(id, view_.block.tree.child(id, 1), right);
+    } else {
+      report(Code::OperatorMismatch, view_.at_token(view_.node(id).token),
+             {operator_text(id), symbol(left), symbol(right), std::string(operator_needs(op))});
+    }
+    return Type::Error;
+  }
+
+  Type real_function(NodeId id, const std::vector<Type>& values) {
+    bool all_real = true;
+    const std::span<const NodeId> operands = view_.block.tree.children(id);
+    for (NodeId operand : operands) {
+      const Type type = values[view_.slot(operand)];
+      expect_real(id, operand, type);
+      all_real = all_real && type == Type::Real;
+    }
+    if (view_.node(id).kind == NodeKind::Extremum && operands.size() < 2) {
+      report(Code::ArgumentCount, view_.at(id),
+             {operator_text(id), "2 arguments or more", count_of_arguments(operands.size())});
+      all_real = false;
+    }
+    return all_real ? Type::Real : Type::Error;
+  }
+
+  Type call(NodeId id, const Signature& signature, const std::vector<Type>& values) {
+    const std::span<const NodeId> children = view_.block.tree.children(id);
+    const std::span<const NodeId> arguments = children.subspan(1);
+    if (arguments.size() != signature.parameters.size()) {
+      report(Code::ArgumentCount, view_.at(id),
+             {view_.name_text(children[0]), count_of_arguments(signature.parameters.size()),
+              std::to_string(arguments.size())});
+      return Type::Error;
+    }
+    bool fits = true;
+    for (size_t i = 0; i < arguments.size(); ++i) {
+      const Type expected = signature.parameters[i];
+      const Type got = values[view_.slot(arguments[i])];
+      const bool is_poisoned = expected == Type::Error || got == Type::Error;
+      if (!is_poisoned && expected != got) {
+        report(Code::ArgumentType, view_.at(view_.without_groups(arguments[i])),
+               {ordinal(i + 1), view_.name_text(children[0]), symbol(expected), symbol(got)});
+      }
+      fits = fits && expected == got && !is_poisoned;
+    }
+    return fits ? signature.result : Type::Error;
+  }
+
+  Type juxtaposition(NodeId id) {
+    const uint32_t second = view_.node(id).token;
+    if (body_.is_skipped(second, second + 1) || follows_reserved_word(id)) return Type::Error;
+    report(Code::MissingOperator, first_place(view_.block.tree.child(id, 1)), {});
+    const uint32_t begin = view_.token(second).span.begin;
+    const Location before{.file = {}, .block = {}, .span = {begin, begin}};
+    out_.back().fixes.push_back({.title = "insert `*`", .edits = {{before, "*"}}});
+    return Type::Error;
+  }
+
+ private:
+  void report(Code code, Location where, std::vector<std::string> arguments) {
+    out_.push_back(make_diagnostic(code, where, std::move(arguments)));
+  }
+
+  void expect_real(NodeId id, NodeId operand, Type type) {
+    if (type == Type::Real || type == Type::Error) return;
+    report(Code::OperandNotReal, view_.at(view_.without_groups(operand)), {operator_text(id), symbol(type)});
+  }
+
+  uint32_t first_token(NodeId id) const { return view_.node(id).first_token; }
+  static std::string symbol(Type type) { return std::string(type_symbol(type)); }
+  std::string operator_text(NodeId id) const { return std::string(view_.block.token_text(view_.node(id).token)); }
+
+  // The token that an expression starts with; a name is one, with its decoration and subscripts.
+  Location first_place(NodeId id) const {
+    while (view_.node(id).child_count > 0 && first_token(view_.block.tree.child(id, 0)) == first_token(id)) {
+      id = view_.block.tree.child(id, 0);
+    }
+    return view_.node(id).kind == NodeKind::Name ? view_.at(id) : view_.at_token(first_token(id));
+  }
+
+  // In `frac{a}{b}` the missing backslash is the only fault: the groups are its operands.
+  bool follows_reserved_word(NodeId id) const {
+    while (view_.node(id).kind == NodeKind::Juxtaposition) id = view_.block.tree.child(id, 0);
+    const Node& first = view_.node(id);
+    const Token& last_token = view_.token(first.end_token - 1);
+    return last_token.kind == TokenKind::Word && is_reserved_word(view_.block.slice(last_token.span));
+  }
+
+  const DefinitionView& view_;
+  const ResolvedBody& body_;
+  std::span<const Type> parameters_;
+  const std::vector<Type>& types_;
+  std::vector<Diagnostic>& out_;
+};
+
+}  // namespace
+
+TypedBody type_body(const DefinitionView& view, const ResolvedBody& body, std::vector<Type> leaves,
+                    std::span<const Type> parameters) {
+  TypedBody typed{.types = std::move(leaves), .diagnostics = {}};
+  OneType domain(view, body, parameters, typed);
+  TypeWalk<OneType>(view, body, domain).run(typed.types);
+  return typed;
+}
+
+}  // namespace texbrdf

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace texbrdf {
+
+/// Types of expressions, from types.def. Error is the poisoned type: it goes with everything and reports nothing.
+/// Vector (a direction) and Colour (linear RGB) are apart in the table; this version of the language unifies them.
+enum class Type : uint8_t {
+#define TYPE(name, symbol, components) name,
+#include "semantics/types.def"
+#undef TYPE
+};
+
+std::string_view type_symbol(Type type);
+/// Numbers that a value of the type holds.
+uint32_t type_components(Type type);
+constexpr bool is_triple(Type type) {
+  return type == Type::Vector || type == Type::Colour;
+}
+
+/// What a name is: a plain definition has `is_function == false` and no parameters.
+struct Signature {
+  bool is_function = false;
+  std::vector<Type> parameters;
+  Type result = Type::Error;
+  friend bool operator==(const Signature&, const Signature&) = default;
+};
+
+/// "ℝ³", or "ℝ × ℝ³ → ℝ³" for a function.
+std::string signature_text(const Signature& signature);
+
+}  // namespace texbrdf

@@ -1,0 +1,80 @@
+#include "syntax/control_words.h"
+
+#include <array>
+
+namespace texbrdf {
+namespace {
+
+constexpr ControlWord kWords[] = {
+#define COMMAND(name, spelling, category) \
+  ControlWord{spelling, WordMeaning::Command, TokenKind::category, Command::name},
+#include "syntax/commands.def"
+#undef COMMAND
+#define CONTROL_WORD(spelling, meaning) ControlWord{spelling, WordMeaning::meaning, TokenKind::Vec, Command::None},
+#include "syntax/control_words.def"
+#undef CONTROL_WORD
+};
+
+constexpr ControlWord kName;
+
+constexpr size_t kSlots = 128;
+constexpr uint8_t kEmpty = 255;
+static_assert(std::size(kWords) * 2 < kSlots);
+
+constexpr size_t slot_of(std::string_view word) {
+  const auto first = static_cast<unsigned char>(word.front());
+  const auto last = static_cast<unsigned char>(word.back());
+  return (first * 5U + last * 19U + word.size() * 37U) % kSlots;
+}
+
+constexpr std::array<uint8_t, kSlots> make_slots() {
+  std::array<uint8_t, kSlots> slots{};
+  slots.fill(kEmpty);
+  for (size_t i = 0; i < std::size(kWords); ++i) {
+    size_t slot = slot_of(kWords[i].spelling);
+    while (slots[slot] != kEmpty) slot = (slot + 1) % kSlots;
+    slots[slot] = static_cast<uint8_t>(i);
+  }
+  return slots;
+}
+
+constexpr std::array<uint8_t, kSlots> kSlotsByHash = make_slots();
+
+/// Words are a few letters long: calling memcmp would cost more.
+bool equal(std::string_view a, std::string_view b) {
+  if (a.size() != b.size()) return false;
+  for (size_t i = 0; i < a.size(); ++i) {
+    if (a[i] != b[i]) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+const ControlWord& find_control_word(std::string_view letters) {
+  if (letters.empty()) return kName;
+  for (size_t slot = slot_of(letters); kSlotsByHash[slot] != kEmpty; slot = (slot + 1) % kSlots) {
+    const ControlWord& word = kWords[kSlotsByHash[slot]];
+    if (equal(word.spelling, letters)) return word;
+  }
+  return kName;
+}
+
+Command find_command(std::string_view letters) {
+  return find_control_word(letters).command;
+}
+
+std::string_view command_spelling(Command command) {
+  switch (command) {
+    case Command::None:
+      return {};
+#define COMMAND(name, spelling, category) \
+  case Command::name:                     \
+    return spelling;
+#include "syntax/commands.def"
+#undef COMMAND
+  }
+  return {};
+}
+
+}  // namespace texbrdf

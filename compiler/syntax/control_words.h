@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string_view>
+
+#include "syntax/token.h"
+
+namespace texbrdf {
+
+/// What a backslash followed by letters means to the lexer.
+enum class WordMeaning : uint8_t {
+  Name,              ///< no word of the language: a Greek letter, or a name of the document
+  Command,           ///< an operator or function of commands.def
+  Nothing,           ///< no token
+  NothingWithGroup,  ///< no token, nor the brace group behind it
+  Text,              ///< with the brace group behind it one token
+  Vec,
+  Environment,  ///< \begin
+};
+
+struct ControlWord {
+  std::string_view spelling;  ///< without the backslash
+  WordMeaning meaning = WordMeaning::Name;
+  TokenKind kind = TokenKind::Macro;  ///< of its token, where it makes one by itself
+  Command command = Command::None;
+};
+
+/// The entry of the word, or one that says Name.
+const ControlWord& find_control_word(std::string_view letters);
+
+/// The command that is written so behind a backslash, or None: such words are reserved without their backslash.
+Command find_command(std::string_view letters);
+/// "frac" of Command::Frac; empty for None.
+std::string_view command_spelling(Command command);
+
+}  // namespace texbrdf

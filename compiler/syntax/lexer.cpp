@@ -1,0 +1,292 @@
+#include "syntax/lexer.h"
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "source/utf8.h"
+#include "syntax/control_words.h"
+
+namespace texbrdf {
+namespace {
+
+enum class CharacterClass : uint8_t { Other, Space, Letter, Digit, Dot, Symbol, Backslash, Percent };
+
+struct CharacterTable {
+  std::array<CharacterClass, 256> classes{};
+  std::array<TokenKind, 256> symbols{};
+
+  constexpr CharacterTable() {
+    set(" \t\n\r\f\v~", CharacterClass::Space);
+    set("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ", CharacterClass::Letter);
+    set("0123456789", CharacterClass::Digit);
+    set(".", CharacterClass::Dot);
+    set("\\", CharacterClass::Backslash);
+    set("%", CharacterClass::Percent);
+    symbol('+', TokenKind::Plus);
+    symbol('-', TokenKind::Minus);
+    symbol('*', TokenKind::Multiply);
+    symbol('/', TokenKind::Divide);
+    symbol('^', TokenKind::Caret);
+    symbol('_', TokenKind::Underscore);
+    symbol('=', TokenKind::Equals);
+    symbol(',', TokenKind::Comma);
+    symbol('(', TokenKind::OpenParen);
+    symbol(')', TokenKind::CloseParen);
+    symbol('{', TokenKind::OpenBrace);
+    symbol('}', TokenKind::CloseBrace);
+    symbol('[', TokenKind::OpenBracket);
+    symbol(']', TokenKind::CloseBracket);
+    symbol('&', TokenKind::Ampersand);
+  }
+
+  constexpr void set(std::string_view characters, CharacterClass value) {
+    for (const char c : characters) classes[static_cast<unsigned char>(c)] = value;
+  }
+  constexpr void symbol(char c, TokenKind kind) {
+    classes[static_cast<unsigned char>(c)] = CharacterClass::Symbol;
+    symbols[static_cast<unsigned char>(c)] = kind;
+  }
+};
+
+constexpr CharacterTable kCharacters;
+
+CharacterClass class_of(char c) {
+  return kCharacters.classes[static_cast<unsigned char>(c)];
+}
+
+bool is_spacing_symbol(char c) {
+  return c == ',' || c == ';' || c == ':' || c == '!' || c == '\\' || class_of(c) == CharacterClass::Space;
+}
+
+/// Tokens on the stack while they are few, as nearly always.
+class TokenBuffer {
+ public:
+  explicit TokenBuffer(size_t capacity) {
+    if (capacity > near_.size()) {
+      far_ = std::make_unique_for_overwrite<Token[]>(capacity);
+      next_ = first_ = far_.get();
+    }
+  }
+  void push(TokenKind kind, Command command, uint32_t begin, uint32_t end) {
+    next_->kind = kind;
+    next_->command = command;
+    next_->origin = 0;
+    next_->span = {begin, end};
+    ++next_;
+  }
+  std::vector<Token> tokens() const { return {first_, next_}; }
+
+ private:
+  struct Slots {
+    Token* data() { return reinterpret_cast<Token*>(bytes); }
+    static constexpr size_t size() { return 1024; }
+    alignas(Token) unsigned char bytes[1024 * sizeof(Token)];
+  };
+  Slots near_;
+  std::unique_ptr<Token[]> far_;
+  Token* first_ = near_.data();
+  Token* next_ = first_;
+};
+
+class Lexer {
+ public:
+  Lexer(std::string_view text, Span content)
+      : text_(text.substr(0, content.end)), at_(content.begin), buffer_(content.size() + size_t{1}) {}
+
+  LexedContent run(Span end) {
+    while (!done()) lex_one();
+    push(TokenKind::End, end.begin, end.end);
+    return {buffer_.tokens(), std::move(comments_)};
+  }
+
+ private:
+  bool done() const { return at_ >= text_.size(); }
+  char current() const { return text_[at_]; }
+  bool at(CharacterClass wanted) const { return !done() && class_of(current()) == wanted; }
+  bool at(char wanted) const { return !done() && current() == wanted; }
+  void skip(CharacterClass wanted) {
+    while (at(wanted)) ++at_;
+  }
+  void push(TokenKind kind, uint32_t begin, uint32_t end, Command command = Command::None) {
+    buffer_.push(kind, command, begin, end);
+  }
+
+  void lex_one() {
+    const uint32_t begin = at_;
+    switch (class_of(current())) {
+      case CharacterClass::Space:
+        ++at_;
+        return;
+      case CharacterClass::Letter:
+        skip(CharacterClass::Letter);
+        return push(TokenKind::Word, begin, at_);
+      case CharacterClass::Digit:
+        return lex_number();
+      case CharacterClass::Dot:
+        return digit_follows(at_ + 1) ? lex_number() : lex_unknown();
+      case CharacterClass::Symbol:
+        ++at_;
+        return push(kCharacters.symbols[static_cast<unsigned char>(text_[begin])], begin, at_);
+      case CharacterClass::Backslash:
+        return lex_command();
+      case CharacterClass::Percent:
+        skip_comment();
+        comments_.push_back({begin, at_});
+        return;
+      case CharacterClass::Other:
+        return lex_unknown();
+    }
+  }
+
+  bool digit_follows(uint32_t at) const { return at < text_.size() && class_of(text_[at]) == CharacterClass::Digit; }
+
+  /// digits [. digits] [e [sign] digits], or . digits [e …]
+  void lex_number() {
+    const uint32_t begin = at_;
+    skip(CharacterClass::Digit);
+    if (at('.') && digit_follows(at_ + 1)) {
+      ++at_;
+      skip(CharacterClass::Digit);
+    }
+    if (at('e') || at('E')) {
+      const bool has_sign = at_ + 1 < text_.size() && (text_[at_ + 1] == '+' || text_[at_ + 1] == '-');
+      const uint32_t digits = at_ + (has_sign ? 2 : 1);
+      if (digit_follows(digits)) {
+        at_ = digits;
+        skip(CharacterClass::Digit);
+      }
+    }
+    push(TokenKind::Number, begin, at_);
+  }
+
+  void lex_unknown() {
+    const uint32_t begin = at_;
+    at_ += code_point_at_front(text_.substr(at_)).size;
+    push(TokenKind::Unknown, begin, at_);
+  }
+
+  void skip_comment() {
+    while (!done() && current() != '\n' && current() != '\r') ++at_;
+  }
+
+  void lex_command() {
+    const uint32_t begin = at_++;
+    if (!at(CharacterClass::Letter)) return lex_control_symbol(begin);
+    skip(CharacterClass::Letter);
+    const ControlWord& word = find_control_word(text_.substr(begin + 1, at_ - begin - 1));
+    switch (word.meaning) {
+      case WordMeaning::Name:
+      case WordMeaning::Command:
+      case WordMeaning::Vec:
+        return push(word.kind, begin, at_, word.command);
+      case WordMeaning::Nothing:
+        return;
+      case WordMeaning::NothingWithGroup:
+        return skip_meaningless_group();
+      case WordMeaning::Text:
+        return lex_text(begin);
+      case WordMeaning::Environment:
+        return lex_environment(begin);
+    }
+  }
+
+  /// A backslash and what is no letter: spacing, or outside the language.
+  void lex_control_symbol(uint32_t begin) {
+    if (done()) return push(TokenKind::Unknown, begin, at_);
+    if (!is_spacing_symbol(current())) {
+      at_ += code_point_at_front(text_.substr(at_)).size;
+      return push(TokenKind::Unknown, begin, at_);
+    }
+    const bool new_line = current() == '\\';
+    ++at_;
+    if (new_line && at('[')) skip_line_distance();
+  }
+
+  /// `\\[2pt]`
+  void skip_line_distance() {
+    uint32_t close = at_;
+    while (close < text_.size() && text_[close] != ']' && text_[close] != '\n' && text_[close] != '\\') ++close;
+    if (close < text_.size() && text_[close] == ']') at_ = close + 1;
+  }
+
+  /// `\label{…}`, `\tag*{…}`; without a group that is closed only the word means nothing.
+  void skip_meaningless_group() {
+    const uint32_t behind_word = at_;
+    if (at('*')) ++at_;
+    const std::optional<uint32_t> end = end_of_group();
+    at_ = end.value_or(behind_word);
+  }
+
+  void lex_text(uint32_t begin) {
+    const uint32_t behind_word = at_;
+    const std::optional<uint32_t> end = end_of_group();
+    at_ = end.value_or(behind_word);
+    push(end ? TokenKind::Text : TokenKind::Unknown, begin, at_);
+  }
+
+  /// The end of the brace group that follows after spaces, if one follows and is closed.
+  std::optional<uint32_t> end_of_group() {
+    uint32_t i = at_;
+    while (i < text_.size() && class_of(text_[i]) == CharacterClass::Space) ++i;
+    if (i >= text_.size() || text_[i] != '{' || an_open_group_was_met_) return std::nullopt;
+    for (uint32_t depth = 0; i < text_.size(); ++i) {
+      switch (text_[i]) {
+        case '\\':
+          ++i;
+          break;
+        case '%':
+          while (i + 1 < text_.size() && text_[i + 1] != '\n' && text_[i + 1] != '\r') ++i;
+          break;
+        case '{':
+          ++depth;
+          break;
+        case '}':
+          if (--depth == 0) return i + 1;
+          break;
+        default:
+          break;
+      }
+    }
+    an_open_group_was_met_ = true;
+    return std::nullopt;
+  }
+
+  /// `\begin{name}` … `\end{name}` as one token; a comment environment is none.
+  void lex_environment(uint32_t begin) {
+    const std::optional<uint32_t> name_end = end_of_group();
+    if (!name_end) return push(TokenKind::Unknown, begin, at_);
+    const uint32_t open = static_cast<uint32_t>(text_.find('{', at_));
+    const std::string_view group = text_.substr(open, *name_end - open);
+    at_ = end_of_environment(group, *name_end).value_or(*name_end);
+    if (group != "{comment}") push(TokenKind::Unknown, begin, at_);
+  }
+
+  std::optional<uint32_t> end_of_environment(std::string_view group, uint32_t from) {
+    if (an_open_environment_was_met_) return std::nullopt;
+    uint32_t depth = 1;
+    for (size_t i = text_.find(group, from); i != std::string_view::npos; i = text_.find(group, i + 1)) {
+      const std::string_view before = text_.substr(0, i);
+      if (before.ends_with("\\begin")) ++depth;
+      if (before.ends_with("\\end") && --depth == 0) return static_cast<uint32_t>(i + group.size());
+    }
+    an_open_environment_was_met_ = true;
+    return std::nullopt;
+  }
+
+  std::string_view text_;
+  uint32_t at_;
+  TokenBuffer buffer_;
+  std::vector<Span> comments_;
+  // Once one search has met the end in vain the block is broken; searching again and again would not be linear.
+  bool an_open_group_was_met_ = false;
+  bool an_open_environment_was_met_ = false;
+};
+
+}  // namespace
+
+LexedContent lex(std::string_view text, Span content, Span end) {
+  return Lexer(text, content).run(end);
+}
+
+}  // namespace texbrdf

@@ -1,0 +1,168 @@
+#include "syntax/operators.h"
+#include "syntax/parser.h"
+
+namespace texbrdf {
+namespace {
+
+constexpr uint32_t kNoPower = UINT32_MAX;
+
+}  // namespace
+
+Parser::Part Parser::parse_group() {
+  const uint32_t opener = advance();
+  const Part inner = parse_expression(0);
+  const bool closed = close(opener);
+  return make(closed ? NodeKind::Group : NodeKind::Error, opener, opener, {inner});
+}
+
+/// Reads the closer of the opener. Where something else stands, all up to the closer is skipped.
+bool Parser::close(uint32_t opener) {
+  if (kind() == closer_of(tokens_[opener].kind)) {
+    advance();
+    recovering_ = false;
+    return true;
+  }
+  report_expected(Code::UnexpectedToken);
+  if (brackets_are_broken_) {
+    const uint32_t partner = faults_.partners[opener];
+    if (partner == UINT32_MAX || partner < position_) return false;
+    continue_after(partner);
+    return false;
+  }
+  uint32_t open = 1;
+  for (uint32_t i = position_; i < end_; ++i) {
+    if (is_opener(tokens_[i].kind)) ++open;
+    if (is_closer(tokens_[i].kind) && --open == 0) {
+      continue_after(i);
+      break;
+    }
+  }
+  return false;
+}
+
+Parser::Part Parser::parse_function() {
+  const uint32_t command = advance();
+  uint32_t power = kNoPower;
+  const Part operand = parse_function_operand(false, power);
+  const Part function = make(NodeKind::Function, command, command, {operand});
+  if (power != kNoPower && !function.damaged) report_power_in_function(function, power);
+  return function;
+}
+
+/// One primary, or signs and a primary. What is not in brackets takes its power with it; `power` is then that `^`.
+Parser::Part Parser::parse_function_operand(bool behind_sign, uint32_t& power) {
+  if (role_of(kind()).prefix != 0) {
+    if (depth_ >= kMaxTreeHeight) {
+      report_too_deep(position_);
+      return error_here();
+    }
+    ++depth_;
+    const uint32_t sign = advance();
+    const Part operand = parse_function_operand(true, power);
+    --depth_;
+    return make(NodeKind::Prefix, sign, sign, {operand});
+  }
+  const bool in_brackets = at(TokenKind::OpenParen) || at(TokenKind::OpenBrace);
+  if (depth_ >= kMaxTreeHeight) {
+    report_too_deep(position_);
+    return error_here();
+  }
+  ++depth_;
+  Part operand = parse_primary();
+  --depth_;
+  if (!at(TokenKind::Caret) || (in_brackets && !behind_sign)) return operand;
+  power = advance();
+  recovering_ = false;
+  const Part exponent = parse_expression(kPowerOperatorPower);
+  operand = make(NodeKind::Infix, power, first_token(operand), {operand, exponent});
+  report_power_chain(operand);
+  return operand;
+}
+
+Parser::Part Parser::parse_extremum() {
+  const uint32_t command = advance();
+  if (!at(TokenKind::OpenParen) && !at(TokenKind::OpenBrace)) {
+    report(Code::MissingGroup, position_, {"(", shown(command, command + 1), describe(position_)});
+    return make(NodeKind::Error, command, command, {});
+  }
+  const uint32_t opener = advance();
+  return parse_list(NodeKind::Extremum, command, command, opener);
+}
+
+/// Expressions with commas between them, up to the opener's closer. Parts that the caller has put on `list_` behind
+/// `first_element` come first.
+Parser::Part Parser::parse_list(NodeKind kind, uint32_t token, uint32_t first_token, uint32_t opener) {
+  const size_t first_element = kind == NodeKind::Apply ? list_.size() - 1 : list_.size();
+  list_.push_back(parse_expression(0));
+  while (at(TokenKind::Comma)) {
+    advance();
+    recovering_ = false;
+    list_.push_back(parse_expression(0));
+  }
+  const bool closed = close(opener);
+  const Part list = make(closed ? kind : NodeKind::Error, token, first_token, list_.data() + first_element,
+                         list_.size() - first_element);
+  list_.resize(first_element);
+  return list;
+}
+
+Parser::Part Parser::parse_fraction() {
+  const uint32_t command = advance();
+  const Part numerator = parse_braced(command);
+  if (numerator.damaged && !role_of(kind()).begins_operand) {
+    return make(NodeKind::Error, command, command, {numerator});
+  }
+  const Part denominator = parse_braced(command);
+  return make(NodeKind::Fraction, command, command, {numerator, denominator});
+}
+
+/// The expression of a brace group, without the group: the braces belong to the command.
+Parser::Part Parser::parse_braced(uint32_t owner) {
+  if (!at(TokenKind::OpenBrace)) {
+    report(Code::MissingGroup, position_, {"{", shown(owner, owner + 1), describe(position_)});
+    return error_here();
+  }
+  const uint32_t opener = advance();
+  const Part inner = parse_expression(0);
+  if (close(opener)) return inner;
+  return make(NodeKind::Error, opener, opener, {inner});
+}
+
+Parser::Part Parser::parse_root() {
+  const uint32_t command = advance();
+  Part index;
+  const bool has_index = at(TokenKind::OpenBracket);
+  if (has_index) {
+    const uint32_t opener = advance();
+    index = parse_expression(0);
+    if (!close(opener)) index = make(NodeKind::Error, opener, opener, {index});
+  }
+  const bool has_sign = role_of(kind()).prefix != 0;
+  if (depth_ >= kMaxTreeHeight) {
+    report_too_deep(position_);
+    return error_here();
+  }
+  ++depth_;
+  Part radicand;
+  if (has_sign) {
+    const uint32_t sign = advance();
+    radicand = make(NodeKind::Prefix, sign, sign, {parse_primary()});
+  } else {
+    radicand = parse_primary();
+  }
+  --depth_;
+  if (has_index) return make(NodeKind::Root, command, command, {radicand, index});
+  return make(NodeKind::Root, command, command, {radicand});
+}
+
+Parser::Part Parser::parse_vector_literal() {
+  const uint32_t vec = advance();
+  const uint32_t opener = advance();
+  Part vector = parse_list(NodeKind::VectorLiteral, vec, vec, opener);
+  bool damaged = vector.damaged;
+  if (!damaged) check_vector_elements(vector, damaged);
+  if (!damaged || vector.damaged) return vector;
+  return make(NodeKind::Error, vec, vec, {vector});
+}
+
+}  // namespace texbrdf

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "diagnostics/diagnostic.h"
+#include "syntax/block_scanner.h"
+#include "syntax/syntax_tree.h"
+
+namespace texbrdf {
+
+/// One definition of a block. Its nodes are [first_node, node], so side tables can be kept per definition.
+struct DefinitionSyntax {
+  NodeId node;  ///< the Definition node
+  NodeId left;  ///< Name or Signature
+  NodeId name;  ///< the Name node that is defined
+  NodeId body;  ///< the right side; may be or contain Error nodes
+  uint32_t first_node = 0;
+  /// False where anything in the definition could not be read (it has Error nodes).
+  bool readable = true;
+};
+
+/// All that a block's bytes say, without knowledge of any other block. Immutable; shared between snapshots.
+struct ParsedBlock {
+  std::string text;            ///< the block's own bytes: BlockExtent::whole
+  BlockExtent extent;          ///< as scanned; `whole` is then only good for its size
+  std::vector<Token> tokens;   ///< of the content, closed by one End token
+  std::vector<Span> comments;  ///< `%` to the end of the line, for `% range [0, 1]` and `% constant`
+  SyntaxTree tree;
+  std::vector<DefinitionSyntax> definitions;
+  std::vector<Diagnostic> diagnostics;  ///< their Location::block is not set yet (0); spans are relative
+
+  std::string_view slice(Span span) const { return std::string_view(text).substr(span.begin, span.size()); }
+  std::string_view token_text(uint32_t token) const { return slice(tokens[token].span); }
+  /// From the first byte of the node's first token to the last byte of its last.
+  Span span(NodeId id) const {
+    const Node& n = tree.node(id);
+    return join(tokens[n.first_token].span, tokens[n.end_token - 1].span);
+  }
+  std::string_view node_text(NodeId id) const { return slice(span(id)); }
+};
+
+/// A longer block is not read: it is one error.
+inline constexpr uint32_t kMaxBlockBytes = uint32_t{1} << 20;
+
+/// Lexes and parses one block. Never fails: what cannot be read becomes Error nodes and one diagnostic.
+ParsedBlock parse_block(std::string_view text, const BlockExtent& extent);
+
+}  // namespace texbrdf

@@ -1,0 +1,189 @@
+#include "syntax/parser.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "syntax/operators.h"
+
+namespace texbrdf {
+
+/// The Definition node stands above the highest expression.
+constexpr uint32_t kMaxExpressionHeight = kMaxTreeHeight - 1;
+
+Parser::Parser(ParsedBlock& block, bool silent)
+    : block_(block),
+      tokens_(block.tokens.data()),
+      end_(static_cast<uint32_t>(block.tokens.size()) - 1),
+      silent_(silent) {
+  block_.tree.reserve(end_ + 2);
+}
+
+void Parser::run() {
+  if (!brackets_balance(block_.tokens)) report_brackets();
+  skip_ignored();
+  parse_definition();
+  report_ampersands();
+  std::sort(block_.diagnostics.begin(), block_.diagnostics.end(), [](const Diagnostic& a, const Diagnostic& b) {
+    return std::tie(a.where.span, a.code) < std::tie(b.where.span, b.code);
+  });
+}
+
+TokenKind Parser::kind_behind(uint32_t token) const {
+  do {
+    token = std::min(token + 1, end_);
+  } while (tokens_[token].kind == TokenKind::Ampersand);
+  return tokens_[token].kind;
+}
+
+void Parser::continue_after(uint32_t closer) {
+  position_ = closer;
+  advance();
+}
+
+Parser::Part Parser::make(NodeKind kind, uint32_t token, uint32_t first_token, std::initializer_list<Part> children) {
+  return make(kind, token, first_token, children.begin(), children.size());
+}
+
+Parser::Part Parser::make(NodeKind kind, uint32_t token, uint32_t first_token, const Part* children, size_t count) {
+  constexpr size_t kNear = 8;
+  NodeId near[kNear];
+  std::vector<NodeId> far;
+  if (count > kNear) far.resize(count);
+  NodeId* const nodes = count > kNear ? far.data() : near;
+
+  Part part{{}, 0, kind == NodeKind::Error};
+  uint32_t end_token = position_;
+  for (size_t i = 0; i < count; ++i) {
+    nodes[i] = children[i].node;
+    part.height = std::max(part.height, children[i].height + 1);
+    part.damaged = part.damaged || children[i].damaged;
+    end_token = std::max(end_token, block_.tree.node(nodes[i]).end_token);
+  }
+  if (part.height > kMaxExpressionHeight) {
+    report_too_deep(token);
+    return leaf(NodeKind::Error, token, token + 1);
+  }
+  while (end_token > first_token + 1 && tokens_[end_token - 1].kind == TokenKind::Ampersand) --end_token;
+  part.node = block_.tree.add(kind, token, first_token, end_token, {nodes, count});
+  return part;
+}
+
+/// Nothing is consumed; the node covers the token that stands here.
+Parser::Part Parser::error_here() {
+  return leaf(NodeKind::Error, position_, position_ + 1);
+}
+
+Parser::Part Parser::parse_expression(uint8_t min_power) {
+  if (depth_ > kMaxExpressionHeight) {
+    report_too_deep(position_);
+    return error_here();
+  }
+  ++depth_;
+  const Part expression = parse_infix(parse_operand(), min_power);
+  --depth_;
+  return expression;
+}
+
+Parser::Part Parser::parse_infix(Part left, uint8_t min_power) {
+  for (;;) {
+    const TokenRole role = role_of(kind());
+    if (role.infix != 0) {
+      if (role.infix < min_power) return left;
+      const uint32_t op = advance();
+      recovering_ = false;
+      const Part right = parse_expression(role.right_min);
+      left = make(NodeKind::Infix, op, first_token(left), {left, right});
+      if (role.infix == kPowerOperatorPower) report_power_chain(left);
+    } else if (role.begins_operand) {
+      if (kJuxtapositionPower < min_power) return left;
+      const uint32_t second = position_;
+      const Part right = parse_expression(kJuxtapositionPower + 1);
+      const bool damage = silent_ || left.damaged || right.damaged;
+      if (damage) had_error_ = true;
+      left = make(damage ? NodeKind::Error : NodeKind::Juxtaposition, second, first_token(left), {left, right});
+    } else if (at(TokenKind::Unknown)) {
+      if (kJuxtapositionPower < min_power) return left;
+      left = parse_unknown_between(left);
+    } else {
+      return left;
+    }
+  }
+}
+
+/// A character outside the language where an operator could stand: taken for a product's.
+Parser::Part Parser::parse_unknown_between(Part left) {
+  const uint32_t unknown = position_;
+  report_unknown();
+  while (at(TokenKind::Unknown)) advance();
+  if (!role_of(kind()).begins_operand) return make(NodeKind::Error, unknown, first_token(left), {left});
+  const Part right = parse_expression(kJuxtapositionPower + 1);
+  return make(NodeKind::Error, unknown, first_token(left), {left, right});
+}
+
+Parser::Part Parser::parse_operand() {
+  return role_of(kind()).prefix != 0 ? parse_prefix() : parse_primary();
+}
+
+Parser::Part Parser::parse_prefix() {
+  const uint8_t power = role_of(kind()).prefix;
+  const uint32_t op = advance();
+  const Part operand = parse_expression(power);
+  return make(NodeKind::Prefix, op, op, {operand});
+}
+
+Parser::Part Parser::parse_primary() {
+  switch (kind()) {
+    case TokenKind::Number: {
+      const uint32_t number = advance();
+      return leaf(NodeKind::Number, number, number + 1);
+    }
+    case TokenKind::Word:
+    case TokenKind::Macro:
+    case TokenKind::Text:
+      return parse_name_or_call();
+    case TokenKind::Vec:
+      return vector_literal_begins() ? parse_vector_literal() : parse_name_or_call();
+    case TokenKind::Function:
+      return parse_function();
+    case TokenKind::Extremum:
+      return parse_extremum();
+    case TokenKind::Frac:
+      return parse_fraction();
+    case TokenKind::Sqrt:
+      return parse_root();
+    case TokenKind::OpenParen:
+    case TokenKind::OpenBrace:
+      return parse_group();
+    case TokenKind::Unknown:
+      return parse_unknown_operand();
+    case TokenKind::Plus:
+    case TokenKind::Minus:
+    case TokenKind::Multiply:
+    case TokenKind::Cross:
+    case TokenKind::Divide:
+    case TokenKind::Caret:
+    case TokenKind::Underscore:
+    case TokenKind::Equals:
+    case TokenKind::Comma:
+    case TokenKind::CloseParen:
+    case TokenKind::CloseBrace:
+    case TokenKind::OpenBracket:
+    case TokenKind::CloseBracket:
+    case TokenKind::Ampersand:
+    case TokenKind::End:
+      report_expected(Code::NoExpression);
+      return error_here();
+  }
+  return error_here();
+}
+
+Parser::Part Parser::parse_unknown_operand() {
+  const uint32_t unknown = position_;
+  report_unknown();
+  while (at(TokenKind::Unknown)) advance();
+  if (!role_of(kind()).begins_operand) return leaf(NodeKind::Error, unknown, unknown + 1);
+  const Part operand = parse_primary();
+  return make(NodeKind::Error, unknown, unknown, {operand});
+}
+
+}  // namespace texbrdf

@@ -1,0 +1,126 @@
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "syntax/brackets.h"
+#include "syntax/parsed_block.h"
+
+namespace texbrdf {
+
+/// Parses the tokens of one block into its tree, definitions and diagnostics. It never asks what a name is: operands
+/// side by side become Juxtaposition, a name followed by `(` becomes Apply.
+///
+/// Recovery: after a problem everything is silent until an operator, comma or closer is read where it belongs, so a
+/// damaged region is reported once. What brackets cannot be paired is known before parsing.
+class Parser {
+ public:
+  /// A silent parser reports nothing and takes a missing operator for damage.
+  Parser(ParsedBlock& block, bool silent);
+
+  void run();
+
+ private:
+  /// A node with what its parents need to know of it.
+  struct Part {
+    NodeId node;
+    uint32_t height = 0;
+    bool damaged = false;
+  };
+
+  // Tokens.
+  TokenKind kind() const { return tokens_[position_].kind; }
+  bool at(TokenKind wanted) const { return kind() == wanted; }
+  TokenKind kind_behind(uint32_t token) const;
+  uint32_t advance() {
+    const uint32_t token = position_;
+    if (position_ < end_) ++position_;
+    skip_ignored();
+    return token;
+  }
+  void skip_ignored() {
+    while (at(TokenKind::Ampersand)) ++position_;
+  }
+  void skip_to_end() { position_ = end_; }
+  void continue_after(uint32_t closer);
+
+  // Nodes.
+  Part leaf(NodeKind kind, uint32_t token, uint32_t end_token) {
+    return {block_.tree.add(kind, token, token, end_token, {}), 0, kind == NodeKind::Error};
+  }
+  Part make(NodeKind kind, uint32_t token, uint32_t first_token, std::initializer_list<Part> children);
+  Part make(NodeKind kind, uint32_t token, uint32_t first_token, const Part* children, size_t count);
+  Part error_here();
+  uint32_t first_token(const Part& part) const { return block_.tree.node(part.node).first_token; }
+
+  // Expressions (parser.cpp).
+  Part parse_expression(uint8_t min_power);
+  Part parse_infix(Part left, uint8_t min_power);
+  Part parse_unknown_between(Part left);
+  Part parse_operand();
+  Part parse_prefix();
+  Part parse_primary();
+  Part parse_unknown_operand();
+
+  // Operands (parse_operands.cpp).
+  Part parse_group();
+  Part parse_function();
+  Part parse_function_operand(bool behind_sign, uint32_t& power);
+  Part parse_extremum();
+  Part parse_fraction();
+  Part parse_root();
+  Part parse_braced(uint32_t owner);
+  Part parse_vector_literal();
+  Part parse_list(NodeKind kind, uint32_t token, uint32_t first_token, uint32_t opener);
+  bool close(uint32_t opener);
+
+  // Names (parse_names.cpp).
+  Part parse_name_or_call();
+  bool parse_name();
+  bool parse_name_base();
+  bool parse_vec_name();
+  bool parse_subscripts();
+  bool parse_subscript();
+  bool parse_subscript_group();
+  bool vector_literal_begins() const;
+
+  // Definitions (parse_definition.cpp).
+  void parse_definition();
+  Part parse_left_side();
+  bool defines_something(const Part& left) const;
+  Part parse_right_side();
+  void finish(const Part& left, uint32_t equals, Part right);
+
+  // Problems (parser_problems.cpp).
+  Diagnostic* report(Code code, uint32_t token, std::vector<std::string> arguments = {});
+  Diagnostic* report(Code code, uint32_t token, Span where, std::vector<std::string> arguments);
+  void report_expected(Code code);
+  void report_unknown();
+  void report_too_deep(uint32_t token);
+  void report_brackets();
+  void report_ampersands();
+  void report_power_in_function(const Part& function, uint32_t power);
+  void report_power_chain(const Part& power);
+  void check_vector_elements(const Part& vector, bool& damaged);
+  bool is_silent_at(uint32_t token) const;
+  std::string describe(uint32_t token) const;
+  std::string shown(uint32_t first_token, uint32_t end_token) const;
+  static Location at_span(Span span) { return {FileId{}, BlockId{}, span}; }
+
+  ParsedBlock& block_;
+  const Token* tokens_;  ///< the block's, or `mended_`
+  uint32_t end_ = 0;     ///< the End token
+  uint32_t position_ = 0;
+  uint32_t depth_ = 0;
+  bool silent_;
+  bool recovering_ = false;
+  bool had_error_ = false;
+  bool brackets_are_broken_ = false;
+  std::vector<Part> list_;     ///< elements of the lists that are being read, innermost last
+  std::vector<Token> mended_;  ///< the tokens without closers that close nothing
+  BracketFaults faults_;
+};
+
+}  // namespace texbrdf

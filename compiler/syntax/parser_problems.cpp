@@ -1,0 +1,205 @@
+#include <algorithm>
+
+#include "source/utf8.h"
+#include "syntax/parser.h"
+
+namespace texbrdf {
+namespace {
+
+constexpr size_t kLongestQuote = 60;
+
+/// The text on one line, without what makes a message unreadable.
+std::string quote(std::string_view text) {
+  std::string line;
+  for (const char c : text) {
+    const bool space = c == ' ' || c == '\t' || c == '\n' || c == '\r';
+    if (!space) {
+      line += c;
+    } else if (!line.empty() && line.back() != ' ') {
+      line += ' ';
+    }
+    if (line.size() > kLongestQuote) break;
+  }
+  if (line.size() > kLongestQuote) {
+    line.resize(kLongestQuote);
+    while (!line.empty() && (static_cast<unsigned char>(line.back()) & 0xC0) == 0x80) line.pop_back();
+    if (!line.empty() && static_cast<unsigned char>(line.back()) >= 0xC0) line.pop_back();
+    line += "…";
+  }
+  return printable(line);
+}
+
+std::string hexadecimal(unsigned char byte) {
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  return {'0', 'x', kDigits[byte >> 4], kDigits[byte & 15]};
+}
+
+std::string_view closer_text(TokenKind opener) {
+  if (opener == TokenKind::OpenParen) return ")";
+  return opener == TokenKind::OpenBrace ? "}" : "]";
+}
+
+}  // namespace
+
+bool Parser::is_silent_at(uint32_t token) const {
+  if (silent_ || recovering_) return true;
+  if (!brackets_are_broken_) return false;
+  const bool behind_stray =
+      token > 0 && std::binary_search(faults_.ignored_closers.begin(), faults_.ignored_closers.end(), token - 1);
+  return behind_stray ||
+         std::any_of(faults_.unclosed.begin(), faults_.unclosed.end(),
+                     [token](const UnclosedBracket& b) { return b.opener < token && token <= b.reach; });
+}
+
+Diagnostic* Parser::report(Code code, uint32_t token, std::vector<std::string> arguments) {
+  return report(code, token, tokens_[token].span, std::move(arguments));
+}
+
+/// The diagnostic, or nullptr where this region has been reported already.
+Diagnostic* Parser::report(Code code, uint32_t token, Span where, std::vector<std::string> arguments) {
+  had_error_ = true;
+  const bool silent = is_silent_at(token);
+  recovering_ = true;
+  if (silent) return nullptr;
+  return &block_.diagnostics.emplace_back(make_diagnostic(code, at_span(where), std::move(arguments)));
+}
+
+void Parser::report_expected(Code code) {
+  report(code, position_, {describe(position_)});
+}
+
+void Parser::report_unknown() {
+  const std::string_view text = block_.token_text(position_);
+  const Span span = tokens_[position_].span;
+  if (text.starts_with("\\begin")) {
+    const size_t close = text.find('}');
+    const uint32_t size = close == std::string_view::npos ? span.size() : static_cast<uint32_t>(close) + 1;
+    const size_t open = std::min(text.find('{'), text.size() - 1);
+    const std::string_view name = text.substr(open + 1, size - open - 2);
+    report(Code::UnknownEnvironment, position_, {span.begin, span.begin + size}, {quote(name)});
+  } else if (text == "\\text" || text == "\\mathrm") {
+    had_error_ = true;
+    // A group that is never closed is reported as such.
+    if (kind_behind(position_) == TokenKind::OpenBrace) return;
+    report(Code::MissingTextGroup, position_, {std::string(text)});
+  } else if (!code_point_at_front(text).well_formed) {
+    report(Code::InvalidUtf8, position_, {hexadecimal(static_cast<unsigned char>(text[0]))});
+  } else {
+    report(Code::UnknownCharacter, position_, {quote(text)});
+  }
+}
+
+/// Nothing more is read: whatever follows would be as deep.
+void Parser::report_too_deep(uint32_t token) {
+  report(Code::TooDeep, token, {std::to_string(kMaxTreeHeight)});
+  recovering_ = true;
+  silent_ = true;
+  skip_to_end();
+}
+
+void Parser::report_brackets() {
+  faults_ = find_bracket_faults(block_.tokens);
+  if (faults_.unclosed.empty() && faults_.ignored_closers.empty()) return;
+  brackets_are_broken_ = true;
+  had_error_ = true;
+  mended_ = block_.tokens;
+  for (const uint32_t closer : faults_.ignored_closers) mended_[closer].kind = TokenKind::Ampersand;
+  tokens_ = mended_.data();
+  if (silent_) return;
+
+  for (const UnclosedBracket& bracket : faults_.unclosed) {
+    const Token& opener = tokens_[bracket.opener];
+    const std::string closer(closer_text(opener.kind));
+    const Token& found = tokens_[bracket.found];
+    Diagnostic& diagnostic = block_.diagnostics.emplace_back(
+        make_diagnostic(Code::UnclosedBracket, at_span(opener.span), {std::string(block_.slice(opener.span))}));
+    diagnostic.related.push_back(
+        {at_span(found.span), "found " + describe(bracket.found) + " instead of `" + closer + "`"});
+    const uint32_t behind = tokens_[bracket.found - 1].span.end;
+    diagnostic.fixes.push_back({"insert `" + closer + "`", {{at_span({behind, behind}), closer}}});
+  }
+  for (const uint32_t closer : faults_.stray_closers) {
+    const Span span = tokens_[closer].span;
+    Diagnostic& diagnostic = block_.diagnostics.emplace_back(
+        make_diagnostic(Code::StrayCloser, at_span(span), {std::string(block_.slice(span))}));
+    diagnostic.fixes.push_back({"remove `" + diagnostic.arguments[0] + "`", {{at_span(span), ""}}});
+  }
+}
+
+void Parser::report_ampersands() {
+  if (silent_) return;
+  for (const Token& token : block_.tokens) {
+    if (token.kind != TokenKind::Ampersand) continue;
+    Diagnostic& diagnostic =
+        block_.diagnostics.emplace_back(make_diagnostic(Code::IgnoredAmpersand, at_span(token.span)));
+    diagnostic.fixes.push_back({"remove `&`", {{at_span(token.span), ""}}});
+  }
+}
+
+/// `\ln\alpha^2`: says how it is read and how the other reading is written.
+void Parser::report_power_in_function(const Part& function, uint32_t power) {
+  if (is_silent_at(power)) return;
+  const Node& node = block_.tree.node(function.node);
+  const Span command = tokens_[node.token].span;
+  const Span operand = block_.span(block_.tree.child(function.node, 0));
+  const Span value = {command.begin, tokens_[power - 1].span.end};
+  const Span whole = {command.begin, operand.end};
+  const std::string exponent(block_.slice({value.end, whole.end}));
+  const std::string grouped_operand =
+      std::string(block_.slice(command)) + "(" + std::string(block_.slice(operand)) + ")";
+  const std::string grouped_value = "(" + std::string(block_.slice(value)) + ")" + exponent;
+  Diagnostic& diagnostic = block_.diagnostics.emplace_back(make_diagnostic(
+      Code::PowerInFunction, at_span(tokens_[power].span), {quote(grouped_operand), quote(grouped_value)}));
+  diagnostic.fixes.push_back({"put the operand in parentheses", {{at_span(whole), grouped_operand}}});
+  diagnostic.fixes.push_back({"raise the function's value", {{at_span(whole), grouped_value}}});
+}
+
+/// `2^3^2`, once for the chain: at its last operator.
+void Parser::report_power_chain(const Part& power) {
+  const SyntaxTree& tree = block_.tree;
+  if (power.damaged || tree.node(power.node).kind != NodeKind::Infix) return;
+  const NodeId right = tree.child(power.node, 1);
+  auto is_power = [&](NodeId id) {
+    return tree.node(id).kind == NodeKind::Infix && tokens_[tree.node(id).token].kind == TokenKind::Caret;
+  };
+  if (!is_power(right) || is_power(tree.child(right, 1)) || is_silent_at(tree.node(right).token)) return;
+  const Span exponent = block_.span(right);
+  const Span whole = block_.span(power.node);
+  const std::string grouped = "{" + std::string(block_.slice(exponent)) + "}";
+  const std::string read = std::string(block_.slice({whole.begin, exponent.begin})) + grouped;
+  Diagnostic& diagnostic = block_.diagnostics.emplace_back(
+      make_diagnostic(Code::PowerChain, at_span(tokens_[tree.node(right).token].span), {quote(read)}));
+  diagnostic.fixes.push_back({"put the exponent in braces", {{at_span(exponent), grouped}}});
+}
+
+void Parser::check_vector_elements(const Part& vector, bool& damaged) {
+  const SyntaxTree& tree = block_.tree;
+  const uint32_t first = tree.node(vector.node).first_token;
+  const std::span<const NodeId> elements = tree.children(vector.node);
+  constexpr size_t kComponents = 3;
+  if (elements.size() != kComponents) {
+    report(Code::VectorLength, first, block_.span(vector.node), {std::to_string(elements.size())});
+    recovering_ = false;
+    damaged = true;
+    return;
+  }
+  for (NodeId element : elements) {
+    const Span span = block_.span(element);
+    while (tree.node(element).kind == NodeKind::Prefix) element = tree.child(element, 0);
+    if (tree.node(element).kind == NodeKind::Number) continue;
+    report(Code::VectorElement, first, span, {});
+    recovering_ = false;
+    damaged = true;
+  }
+}
+
+std::string Parser::describe(uint32_t token) const {
+  if (token == end_) return "the end of the equation";
+  return "`" + quote(block_.token_text(token)) + "`";
+}
+
+std::string Parser::shown(uint32_t first_token, uint32_t end_token) const {
+  return quote(block_.slice(join(tokens_[first_token].span, tokens_[end_token - 1].span)));
+}
+
+}  // namespace texbrdf

@@ -1,0 +1,144 @@
+#include "syntax/print_source.h"
+
+#include "syntax/control_words.h"
+
+namespace texbrdf {
+namespace {
+
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+/// `\cos` and the like, of which a letter behind it would become part.
+bool ends_with_command(std::string_view text) {
+  size_t letters = text.size();
+  while (letters > 0 && is_letter(text[letters - 1])) --letters;
+  return letters < text.size() && letters > 0 && text[letters - 1] == '\\';
+}
+
+class SourcePrinter {
+ public:
+  explicit SourcePrinter(const ParsedBlock& block) : block_(block), tree_(block.tree) {}
+
+  void print(NodeId id) {
+    const Node& node = tree_.node(id);
+    switch (node.kind) {
+      case NodeKind::Number:
+      case NodeKind::Name:
+      case NodeKind::Error:
+        return print_tokens(node.first_token, node.end_token);
+      case NodeKind::Group:
+        return print(child(id, 0));
+      case NodeKind::Prefix:
+        write("(");
+        write(operator_text(node.token));
+        print(child(id, 0));
+        return write(")");
+      case NodeKind::Infix:
+      case NodeKind::Definition:
+        return print_infix(id);
+      case NodeKind::Fraction:
+        return print_pair(id, "/");
+      case NodeKind::Juxtaposition:
+        return print_pair(id, " ");
+      case NodeKind::Root:
+        return print_root(id);
+      case NodeKind::Function:
+      case NodeKind::Extremum:
+        write(block_.token_text(node.token));
+        write("(");
+        print_list(id, 0);
+        return write(")");
+      case NodeKind::Apply:
+      case NodeKind::Signature:
+        print(child(id, 0));
+        write("(");
+        print_list(id, 1);
+        return write(")");
+      case NodeKind::VectorLiteral:
+        return print_vector(id);
+    }
+  }
+
+  std::string result() { return std::move(out_); }
+
+ private:
+  NodeId child(NodeId id, uint32_t index) const { return tree_.child(id, index); }
+
+  void write(std::string_view piece) {
+    if (!piece.empty() && is_letter(piece.front()) && ends_with_command(out_)) out_ += ' ';
+    out_ += piece;
+  }
+
+  std::string_view operator_text(uint32_t token) const {
+    const Token& op = block_.tokens[token];
+    return op.kind == TokenKind::Multiply ? "*" : block_.token_text(token);
+  }
+
+  void print_tokens(uint32_t first, uint32_t end) {
+    for (uint32_t token = first; token < end; ++token) {
+      if (block_.tokens[token].kind != TokenKind::Ampersand) write(block_.token_text(token));
+    }
+  }
+
+  void print_infix(NodeId id) {
+    const Node& node = tree_.node(id);
+    if (node.kind == NodeKind::Infix) return print_pair(id, operator_text(node.token));
+    print(child(id, 0));
+    write("=");
+    print(child(id, 1));
+  }
+
+  void print_pair(NodeId id, std::string_view between) {
+    write("(");
+    print(child(id, 0));
+    write(between);
+    print(child(id, 1));
+    write(")");
+  }
+
+  void print_list(NodeId id, uint32_t first) {
+    const uint32_t count = tree_.node(id).child_count;
+    for (uint32_t i = first; i < count; ++i) {
+      if (i > first) write(",");
+      print(child(id, i));
+    }
+  }
+
+  void print_root(NodeId id) {
+    write("\\sqrt");
+    if (tree_.node(id).child_count > 1) {
+      write("[");
+      print(child(id, 1));
+      write("]");
+    }
+    write("(");
+    print(child(id, 0));
+    write(")");
+  }
+
+  /// Only numbers and their signs may stand in a literal, no parentheses.
+  void print_vector(NodeId id) {
+    write("\\vec{");
+    const std::span<const NodeId> elements = tree_.children(id);
+    for (size_t i = 0; i < elements.size(); ++i) {
+      if (i > 0) write(",");
+      print_tokens(tree_.node(elements[i]).first_token, tree_.node(elements[i]).end_token);
+    }
+    write("}");
+  }
+
+  const ParsedBlock& block_;
+  const SyntaxTree& tree_;
+  std::string out_;
+};
+
+}  // namespace
+
+std::string print_source(const ParsedBlock& block, const DefinitionSyntax& definition) {
+  SourcePrinter printer(block);
+  printer.print(definition.node);
+  return printer.result();
+}
+
+}  // namespace texbrdf

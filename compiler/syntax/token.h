@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "source/span.h"
+
+namespace texbrdf {
+
+/// Kinds of tokens, from token_kind.def.
+enum class TokenKind : uint8_t {
+#define TOKEN_KIND(name, description) name,
+#include "syntax/token_kind.def"
+#undef TOKEN_KIND
+};
+
+std::string_view token_kind_name(TokenKind kind);
+
+/// The commands that the language knows, from commands.def: \sin, \max, \frac …
+enum class Command : uint8_t {
+  None,
+#define COMMAND(name, spelling, category) name,
+#include "syntax/commands.def"
+#undef COMMAND
+};
+
+/// Where a token's text was written: 0 is the block itself; later also expansions of macros.
+using TokenOrigin = uint16_t;
+
+struct Token {
+  TokenKind kind;
+  Command command = Command::None;  ///< of a command of the language, else None
+  TokenOrigin origin = 0;
+  Span span;  ///< relative to the block
+};
+
+}  // namespace texbrdf
