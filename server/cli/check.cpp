@@ -1,0 +1,89 @@
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <deque>
+#include <memory>
+
+#include "cli/files.h"
+#include "cli/json_output.h"
+#include "cli/messages.h"
+#include "cli/model.h"
+#include "cli/sarif.h"
+#include "cli/subcommands.h"
+
+namespace texbrdf::cli {
+namespace {
+
+enum class Format : uint8_t { Text, Json, Sarif };
+
+struct CheckOptions {
+  std::vector<std::string> files;
+  std::string root = "f";
+  Format format = Format::Text;
+  std::string output = "-";
+};
+
+std::string text_report(std::span<const CheckedFile> files, bool colour) {
+  std::string report;
+  for (const CheckedFile& file : files) report += terminal_text(*file.snapshot, file.diagnostics, file.name, colour);
+  return report;
+}
+
+std::string formatted(std::span<const CheckedFile> files, const CheckOptions& options) {
+  switch (options.format) {
+    case Format::Text:
+      return text_report(files, options.output == "-" && wants_colour(STDOUT_FILENO));
+    case Format::Json:
+      return diagnostics_json(files);
+    case Format::Sarif:
+      return diagnostics_sarif(files);
+  }
+  return {};
+}
+
+ExitCode check(const CheckOptions& options) {
+  const std::optional<std::string> root = canonical_name(options.root);
+  if (!root) {
+    print_message(fmt::format("--root takes a name, got '{}'", options.root));
+    return ExitCode::BadUsage;
+  }
+  ExitCode exit_code = ExitCode::Fine;
+  std::deque<NamedDocument> documents;  // snapshots must stay where they are
+  std::vector<CheckedFile> files;
+  for (const std::string& path : options.files) {
+    auto read = read_document(path);
+    if (std::holds_alternative<ExitCode>(read)) {
+      exit_code = ExitCode::BadUsage;
+      continue;
+    }
+    NamedDocument& named = documents.emplace_back(std::get<NamedDocument>(std::move(read)));
+    const Snapshot& snapshot = named.document.snapshot();
+    files.push_back({named.file_name, &snapshot, snapshot.diagnostics(*root)});
+    if (has_error(files.back().diagnostics)) exit_code = std::max(exit_code, ExitCode::DocumentHasErrors);
+  }
+  if (const auto failure = write_output(options.output, formatted(files, options))) {
+    print_message(failure->message);
+    return ExitCode::BadUsage;
+  }
+  return exit_code;
+}
+
+}  // namespace
+
+Subcommand add_check(CLI::App& program) {
+  const auto options = std::make_shared<CheckOptions>();
+  CLI::App* const arguments = program.add_subcommand("check", "Report what is wrong with documents");
+  arguments->add_option("FILE", options->files, "LaTeX documents, - for standard input")->required();
+  arguments->add_option("--root", options->root, "the definition that is the BRDF")
+      ->type_name("NAME")
+      ->capture_default_str();
+  const std::map<std::string, Format> formats{{"text", Format::Text}, {"json", Format::Json}, {"sarif", Format::Sarif}};
+  arguments->add_option("--format", options->format, "text (for people), json or sarif")
+      ->transform(CLI::CheckedTransformer(formats).description(""))
+      ->type_name("FORMAT");
+  arguments->add_option("-o,--output", options->output, "the file to write, - for standard output")->type_name("OUT");
+  return {arguments, [options] { return check(*options); }};
+}
+
+}  // namespace texbrdf::cli

@@ -1,0 +1,114 @@
+#include "cli/model.h"
+
+#include <fmt/core.h>
+
+#include <charconv>
+#include <map>
+
+#include "cli/files.h"
+#include "cli/messages.h"
+#include "semantics/names.h"
+#include "syntax/block_scanner.h"
+#include "syntax/parsed_block.h"
+
+namespace texbrdf::cli {
+namespace {
+
+using Values = std::map<std::string, std::vector<double>>;
+
+/// "0.2" or "0.1,0.2,0.3".
+std::optional<std::vector<double>> read_numbers(std::string_view text) {
+  std::vector<double> numbers;
+  while (true) {
+    const std::string_view word = text.substr(0, text.find(','));
+    double number = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
+    numbers.push_back(number);
+    if (word.size() == text.size()) return numbers;
+    text.remove_prefix(word.size() + 1);
+  }
+}
+
+Result<Values> read_settings(const std::vector<std::string>& settings) {
+  Values values;
+  for (const std::string& setting : settings) {
+    const std::size_t equals = setting.find('=');
+    const std::string name = setting.substr(0, equals);
+    const std::optional<std::string> canonical = canonical_name(name);
+    if (equals == std::string::npos || !canonical) {
+      return Failure{fmt::format("--set takes NAME=VALUE, got '{}'", setting)};
+    }
+    const auto numbers = read_numbers(std::string_view(setting).substr(equals + 1));
+    if (!numbers) {
+      return Failure{fmt::format("--set {}: a value is a number or three with commas between, got '{}'", name,
+                                 setting.substr(equals + 1))};
+    }
+    values[*canonical] = *numbers;
+  }
+  return values;
+}
+
+}  // namespace
+
+std::variant<NamedDocument, ExitCode> read_document(const std::string& path) {
+  Result<std::string> bytes = read_input(path);
+  if (!bytes) {
+    print_message(bytes.error());
+    return ExitCode::BadUsage;
+  }
+  return NamedDocument{input_name(path), Document(*std::move(bytes))};
+}
+
+std::optional<std::string> canonical_name(std::string_view spelling) {
+  const std::string document = fmt::format("\\begin{{equation}}{}=0\\end{{equation}}", spelling);
+  const std::vector<BlockExtent> extents = scan_blocks(document);
+  if (extents.size() != 1) return std::nullopt;
+  const ParsedBlock block = parse_block(document, extents.front());
+  if (!block.diagnostics.empty() || block.definitions.size() != 1) return std::nullopt;
+  const DefinitionSyntax& definition = block.definitions.front();
+  if (definition.left != definition.name) return std::nullopt;
+  return canonical_form(read_name(block, definition.name));
+}
+
+void add_model_options(CLI::App& arguments, ModelOptions& options) {
+  arguments.add_option("FILE", options.file, "a LaTeX document, - for standard input")->required();
+  arguments.add_option("--root", options.root, "the definition that is the BRDF")
+      ->type_name("NAME")
+      ->capture_default_str();
+  arguments.add_option("--set", options.settings, "another value for a parameter: m=0.2, \\rho_d=0.1,0.2,0.3")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+}
+
+std::variant<Model, ExitCode> load_model(const ModelOptions& options) {
+  const std::optional<std::string> root = canonical_name(options.root);
+  if (!root) {
+    print_message(fmt::format("--root takes a name, got '{}'", options.root));
+    return ExitCode::BadUsage;
+  }
+  const Result<Values> values = read_settings(options.settings);
+  if (!values) {
+    print_message(values.error());
+    return ExitCode::BadUsage;
+  }
+  auto read = read_document(options.file);
+  if (const auto* failed = std::get_if<ExitCode>(&read)) return *failed;
+  NamedDocument& named = std::get<NamedDocument>(read);
+
+  const Snapshot& snapshot = named.document.snapshot();
+  const std::vector<Diagnostic> diagnostics = snapshot.diagnostics(*root);
+  report_errors_and_warnings(snapshot, diagnostics, named.file_name);
+  if (const Result<ir::Program> plain = snapshot.program(*root); !plain) {
+    print_message(fmt::format("{}: {}", named.file_name, plain.error()));
+    return ExitCode::DocumentHasErrors;
+  }
+  Result<ir::Program> program = snapshot.program(*root, ir::LinkOptions{.values = *values});
+  if (!program) {
+    print_message(program.error());
+    return ExitCode::BadUsage;
+  }
+  return Model{*std::move(program), has_error(diagnostics)};
+}
+
+}  // namespace texbrdf::cli

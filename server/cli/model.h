@@ -1,0 +1,51 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "analysis/document.h"
+#include "cli/exit_code.h"
+#include "ir/program.h"
+
+namespace texbrdf::cli {
+
+/// A document as a command reads it.
+struct NamedDocument {
+  std::string file_name;
+  Document document;
+};
+
+/// Reads FILE; says on standard error why it cannot be read.
+std::variant<NamedDocument, ExitCode> read_document(const std::string& path);
+
+/// The canonical form of a name as a person types it on the command line: `x_1` gives `x_1`, `\vec{n}` gives `\vec{n}`.
+/// Nothing where it is no name.
+std::optional<std::string> canonical_name(std::string_view spelling);
+
+/// Which model of a document a command is about: FILE, --root and --set.
+struct ModelOptions {
+  std::string file;
+  std::string root = "f";
+  std::vector<std::string> settings;  ///< NAME=VALUE, as typed
+};
+
+/// Declares FILE, --root and --set.
+void add_model_options(CLI::App& arguments, ModelOptions& options);
+
+/// A program that the document gives, although other definitions of it may be in error.
+struct Model {
+  ir::Program program;
+  bool document_has_errors = false;
+
+  /// What a command that did its work exits with.
+  ExitCode exit_code() const { return document_has_errors ? ExitCode::DocumentHasErrors : ExitCode::Fine; }
+};
+
+/// Reads and compiles; writes errors and warnings to standard error. Where there is no model: the exit code.
+std::variant<Model, ExitCode> load_model(const ModelOptions& options);
+
+}  // namespace texbrdf::cli

@@ -1,0 +1,25 @@
+#include "cli/render_fault.h"
+
+#include <fmt/core.h>
+
+#include "cli/messages.h"
+
+namespace texbrdf::cli {
+
+ExitCode report_render_fault(const render::RenderFault& fault) {
+  print_message(fault.message);
+  switch (fault.kind) {
+    case render::RenderFaultKind::Request:
+      return ExitCode::BadUsage;
+    case render::RenderFaultKind::NoRenderer:
+    case render::RenderFaultKind::Shader:
+    case render::RenderFaultKind::Crash:
+    case render::RenderFaultKind::Deadline:
+    case render::RenderFaultKind::Protocol:
+      print_message("--device cpu needs no renderer");
+      return ExitCode::NoRenderer;
+  }
+  return ExitCode::NoRenderer;
+}
+
+}  // namespace texbrdf::cli

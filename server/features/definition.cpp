@@ -1,0 +1,21 @@
+#include "features/definition.h"
+
+#include "features/places.h"
+
+namespace texbrdf::features {
+
+std::optional<DefinitionLink> definition_at(const Snapshot& snapshot, uint32_t offset) {
+  const auto occurrence = snapshot.occurrence_at(offset);
+  if (!occurrence) return std::nullopt;
+  if (occurrence->target.valid()) {
+    return DefinitionLink{occurrence->span, definition_span(snapshot, occurrence->target),
+                          name_span(snapshot, occurrence->target)};
+  }
+  if (occurrence->referent.kind != Referent::Kind::Parameter) return std::nullopt;
+  const Definition& function = snapshot.definition(occurrence->inside);
+  const CheckedParameter& parameter = function.checked->parameters[occurrence->referent.index];
+  return DefinitionLink{occurrence->span, definition_span(snapshot, occurrence->inside),
+                        node_span(snapshot, function.block, parameter.node)};
+}
+
+}  // namespace texbrdf::features

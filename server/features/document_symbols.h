@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/snapshot.h"
+
+namespace texbrdf::features {
+
+enum class SymbolKind : uint8_t { Function, Variable, Parameter };
+
+/// A definition, or a parameter of one.
+struct Symbol {
+  std::string_view name;  ///< points into the snapshot's names
+  std::string type;
+  SymbolKind kind = SymbolKind::Variable;
+  Span whole;
+  Span selection;  ///< the name; inside `whole`
+  std::vector<Symbol> children;
+};
+
+/// The definitions in document order, with their parameters.
+std::vector<Symbol> document_symbols(const Snapshot& snapshot);
+
+}  // namespace texbrdf::features

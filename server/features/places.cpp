@@ -1,0 +1,27 @@
+#include "features/places.h"
+
+namespace texbrdf::features {
+
+Span node_span(const Snapshot& snapshot, BlockId block, NodeId node) {
+  return snapshot.absolute(block, snapshot.parsed(block).span(node));
+}
+
+/// A definition that was broken off may have the block's \end as its last token; that is no part of what is shown.
+Span definition_span(const Snapshot& snapshot, DefinitionId id) {
+  const BlockId block = snapshot.definition(id).block;
+  const ParsedBlock& parsed = snapshot.parsed(block);
+  const Node& node = parsed.tree.node(snapshot.syntax(id).node);
+  uint32_t last = node.end_token - 1;
+  while (last > node.first_token && parsed.tokens[last].kind == TokenKind::End) --last;
+  return snapshot.absolute(block, join(parsed.tokens[node.first_token].span, parsed.tokens[last].span));
+}
+
+Span name_span(const Snapshot& snapshot, DefinitionId id) {
+  return node_span(snapshot, snapshot.definition(id).block, snapshot.syntax(id).name);
+}
+
+uint32_t line_number(const Snapshot& snapshot, uint32_t offset) {
+  return snapshot.text().position(offset, ColumnUnit::Utf8).line + 1;
+}
+
+}  // namespace texbrdf::features

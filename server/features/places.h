@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+
+#include "analysis/snapshot.h"
+
+namespace texbrdf::features {
+
+/// Absolute range of a node of the block.
+Span node_span(const Snapshot& snapshot, BlockId block, NodeId node);
+/// Left side, `=` and right side.
+Span definition_span(const Snapshot& snapshot, DefinitionId id);
+/// The defined name on the left side.
+Span name_span(const Snapshot& snapshot, DefinitionId id);
+/// Counted from 1, as people do.
+uint32_t line_number(const Snapshot& snapshot, uint32_t offset);
+
+}  // namespace texbrdf::features

@@ -1,0 +1,15 @@
+#include "features/references.h"
+
+namespace texbrdf::features {
+
+std::vector<Span> references(const Snapshot& snapshot, uint32_t offset, bool include_declaration) {
+  std::vector<Span> spans;
+  const auto occurrence = snapshot.occurrence_at(offset);
+  if (!occurrence) return spans;
+  for (const Occurrence& found : snapshot.occurrences_of(*occurrence)) {
+    if (include_declaration || !found.is_definition) spans.push_back(found.span);
+  }
+  return spans;
+}
+
+}  // namespace texbrdf::features

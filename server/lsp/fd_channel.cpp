@@ -1,0 +1,93 @@
+#include "lsp/fd_channel.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+
+namespace texbrdf::lsp {
+namespace {
+
+constexpr std::size_t kReadBytes = std::size_t{1} << 16;
+/// With so much unsent, a client that only writes is not read any more.
+constexpr std::size_t kMaxUnsentBytes = std::size_t{64} << 20;
+constexpr int kFlushTimeoutMs = 2000;
+
+bool would_block() {
+  return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR;
+}
+
+}  // namespace
+
+FdChannel::FdChannel(int input_fd, int output_fd)
+    : input_fd_(input_fd), output_fd_(output_fd), output_flags_(fcntl(output_fd, F_GETFL)), chunk_(kReadBytes) {
+  std::signal(SIGPIPE, SIG_IGN);
+  if (output_flags_ >= 0) fcntl(output_fd_, F_SETFL, output_flags_ | O_NONBLOCK);
+}
+
+FdChannel::~FdChannel() {
+  if (output_flags_ >= 0) fcntl(output_fd_, F_SETFL, output_flags_);
+}
+
+Channel::Status FdChannel::read(std::string& buffer, int timeout_ms) {
+  if (input_closed_ || output_closed_) return Status::Closed;
+  std::array<pollfd, 2> watched = {{{input_fd_, POLLIN, 0}, {output_fd_, POLLOUT, 0}}};
+  if (unsent() > kMaxUnsentBytes) watched[0].fd = -1;
+  if (unsent() == 0) watched[1].fd = -1;
+  if (poll(watched.data(), watched.size(), timeout_ms) <= 0) return Status::Idle;
+  if (watched[1].revents != 0) send();
+  if (output_closed_) return Status::Closed;
+  return watched[0].revents != 0 ? receive(buffer) : Status::Idle;
+}
+
+Channel::Status FdChannel::receive(std::string& buffer) {
+  const ssize_t count = ::read(input_fd_, chunk_.data(), chunk_.size());
+  if (count < 0 && would_block()) return Status::Idle;
+  if (count <= 0) {
+    input_closed_ = true;
+    return Status::Closed;
+  }
+  buffer.append(chunk_.data(), static_cast<std::size_t>(count));
+  return Status::Data;
+}
+
+void FdChannel::write(std::string_view bytes) {
+  if (unsent() == 0) bytes.remove_prefix(written(bytes));
+  if (!output_closed_) outgoing_ += bytes;
+}
+
+void FdChannel::send() {
+  sent_ += written(std::string_view(outgoing_).substr(sent_));
+  if (output_closed_) sent_ = outgoing_.size();
+  if (sent_ < unsent()) return;  // moving the rest has to be paid for by what was sent
+  outgoing_.erase(0, sent_);
+  sent_ = 0;
+}
+
+/// How many of the bytes the client takes now.
+std::size_t FdChannel::written(std::string_view bytes) {
+  std::size_t count = 0;
+  while (count < bytes.size()) {
+    const ssize_t taken = ::write(output_fd_, bytes.data() + count, bytes.size() - count);
+    if (taken >= 0) {
+      count += static_cast<std::size_t>(taken);
+    } else if (errno != EINTR) {
+      output_closed_ = !would_block();
+      break;
+    }
+  }
+  return count;
+}
+
+void FdChannel::flush() {
+  while (unsent() > 0) {
+    pollfd watched = {output_fd_, POLLOUT, 0};
+    if (poll(&watched, 1, kFlushTimeoutMs) <= 0) return;
+    send();
+  }
+}
+
+}  // namespace texbrdf::lsp

@@ -1,0 +1,130 @@
+#include "lsp/message_handler.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <exception>
+#include <utility>
+
+namespace texbrdf::lsp {
+namespace {
+
+constexpr std::size_t kTracedBytes = 2000;
+
+class Stopwatch {
+ public:
+  double milliseconds() const {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+void MessageHandler::handle(MessageQueue::Entry entry) {
+  const IncomingMessage& message = entry.message;
+  switch (message.kind) {
+    case IncomingMessage::Kind::Request:
+      ++session_.traffic().requests;
+      handle_request(message, entry.cancelled);
+      return;
+    case IncomingMessage::Kind::Notification:
+      ++session_.traffic().notifications;
+      handle_notification(message);
+      return;
+    case IncomingMessage::Kind::Response:
+      log_.debug(fmt::format("a response that nobody waits for: {}", message.id));
+      return;
+    case IncomingMessage::Kind::Broken:
+      log_.error(fmt::format("broken message: {}", message.problem.message));
+      reply_error(message, message.problem);
+      return;
+  }
+}
+
+void MessageHandler::handle_request(const IncomingMessage& message, bool cancelled) {
+  const Stopwatch watch;
+  JsonWriter response;
+  begin_response(response, message.id);
+  auto error = refusal(message, cancelled);
+  if (!error) error = answer(message, response);
+  if (error) {
+    if (cancelled) ++session_.traffic().cancelled;
+    reply_error(message, *error);
+  } else {
+    response.end_object();
+    send(response.text());
+  }
+  log_.debug(fmt::format("{} {}: {:.3f} ms{}", message.method, message.id, watch.milliseconds(),
+                         error ? fmt::format(", error {}: {}", static_cast<int>(error->code), error->message) : ""));
+}
+
+/// Why a request is not even looked at in the present state.
+std::optional<ResponseError> MessageHandler::refusal(const IncomingMessage& message, bool cancelled) const {
+  if (session_.phase() == Session::Phase::ShutDown) {
+    return ResponseError{ErrorCode::InvalidRequest, "the server is shut down"};
+  }
+  if (session_.phase() == Session::Phase::Created && message.method != "initialize") {
+    return ResponseError{ErrorCode::ServerNotInitialized, "the server is not initialized"};
+  }
+  if (cancelled) return ResponseError{ErrorCode::RequestCancelled, "cancelled by the client"};
+  return std::nullopt;
+}
+
+/// A fault of ours in a handler is told and ends there.
+std::optional<ResponseError> MessageHandler::answer(const IncomingMessage& message, JsonWriter& result) {
+  const Dispatcher::Request* handler = methods_.find_request(message.method);
+  if (handler == nullptr) return ResponseError{ErrorCode::MethodNotFound, "no method " + message.method};
+  try {
+    return (*handler)(*message.params, result);
+  } catch (const std::exception& fault) {
+    log_.error(fmt::format("internal error in {}: {}", message.method, fault.what()));
+    return ResponseError{ErrorCode::InternalError, fault.what()};
+  }
+}
+
+void MessageHandler::handle_notification(const IncomingMessage& message) {
+  const bool running = session_.phase() == Session::Phase::Running;
+  const Dispatcher::Notification* handler = methods_.find_notification(message.method);
+  if (handler == nullptr || (!running && message.method != "exit")) {
+    log_.debug(fmt::format("{} is ignored", message.method));
+    return;
+  }
+  const Stopwatch watch;
+  try {
+    const std::string problem = (*handler)(*message.params);
+    if (!problem.empty()) log_.error(fmt::format("{} is ignored: {}", message.method, problem));
+  } catch (const std::exception& fault) {
+    log_.error(fmt::format("internal error in {}: {}", message.method, fault.what()));
+  }
+  log_.debug(fmt::format("{}: {:.3f} ms", message.method, watch.milliseconds()));
+}
+
+void MessageHandler::publish_next() {
+  const Stopwatch watch;
+  try {
+    JsonWriter notification;
+    begin_notification(notification, "textDocument/publishDiagnostics");
+    session_.write_next_publication(notification);
+    notification.end_object();
+    ++session_.traffic().published;
+    send(notification.text());
+  } catch (const std::exception& fault) {
+    log_.error(fmt::format("internal error in diagnostics: {}", fault.what()));
+  }
+  log_.debug(fmt::format("textDocument/publishDiagnostics: {:.3f} ms", watch.milliseconds()));
+}
+
+void MessageHandler::send(const std::string& body) {
+  if (log_.shows(LogLevel::Trace)) log_.trace(fmt::format("-> {}", std::string_view(body).substr(0, kTracedBytes)));
+  send_(body);
+}
+
+void MessageHandler::reply_error(const IncomingMessage& message, const ResponseError& error) {
+  ++session_.traffic().errors;
+  send(error_text(message.id, error));
+}
+
+}  // namespace texbrdf::lsp

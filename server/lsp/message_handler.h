@@ -1,0 +1,43 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "lsp/dispatcher.h"
+#include "lsp/json_rpc.h"
+#include "lsp/log.h"
+#include "lsp/message_queue.h"
+#include "lsp/session.h"
+
+namespace texbrdf::lsp {
+
+/// Answers one message after the other by the rules of JSON-RPC and of the protocol's phases. A fault of ours in a
+/// handler becomes an error reply and a line of the log.
+class MessageHandler {
+ public:
+  using Send = std::function<void(const std::string& body)>;
+
+  /// All have to outlive the handler.
+  MessageHandler(Session& session, const Dispatcher& methods, Log& log, Send send)
+      : session_(session), methods_(methods), log_(log), send_(std::move(send)) {}
+
+  void handle(MessageQueue::Entry entry);
+  /// Sends the diagnostics of one document that the client lacks.
+  void publish_next();
+
+ private:
+  void handle_request(const IncomingMessage& message, bool cancelled);
+  void handle_notification(const IncomingMessage& message);
+  std::optional<ResponseError> refusal(const IncomingMessage& message, bool cancelled) const;
+  std::optional<ResponseError> answer(const IncomingMessage& message, JsonWriter& result);
+  void send(const std::string& body);
+  void reply_error(const IncomingMessage& message, const ResponseError& error);
+
+  Session& session_;
+  const Dispatcher& methods_;
+  Log& log_;
+  Send send_;
+};
+
+}  // namespace texbrdf::lsp

@@ -1,0 +1,105 @@
+#include <fmt/format.h>
+
+#include "features/definition.h"
+#include "features/document_symbols.h"
+#include "features/references.h"
+#include "lsp/session.h"
+#include "lsp/uri.h"
+
+namespace texbrdf::lsp {
+
+ResponseError Session::not_open(std::string_view uri) {
+  return {ErrorCode::InvalidParams, fmt::format("{} is not open", shown_path(uri))};
+}
+
+Session::Outcome Session::hover(const PositionParams& params, JsonWriter& result) {
+  OpenDocument* open = documents_.find(params.uri);
+  if (open == nullptr) return not_open(params.uri);
+  const Snapshot& snapshot = open->document.snapshot();
+  const auto hover = features::hover(snapshot, snapshot.text().offset(params.position, unit_), hover_markup_);
+  Positions positions(snapshot.text(), unit_);
+  if (hover) {
+    write_hover(result, positions, *hover, hover_markup_);
+  } else {
+    result.null();
+  }
+  return std::nullopt;
+}
+
+Session::Outcome Session::definition(const PositionParams& params, JsonWriter& result) {
+  OpenDocument* open = documents_.find(params.uri);
+  if (open == nullptr) return not_open(params.uri);
+  const Snapshot& snapshot = open->document.snapshot();
+  const auto link = features::definition_at(snapshot, snapshot.text().offset(params.position, unit_));
+  Positions positions(snapshot.text(), unit_);
+  if (!link) {
+    result.null();
+  } else if (client_.definition_links) {
+    result.begin_array();
+    write_definition_link(result, positions, params.uri, *link);
+    result.end_array();
+  } else {
+    write_location(result, positions, params.uri, link->name);
+  }
+  return std::nullopt;
+}
+
+Session::Outcome Session::references(const ReferenceParams& params, JsonWriter& result) {
+  OpenDocument* open = documents_.find(params.uri);
+  if (open == nullptr) return not_open(params.uri);
+  const Snapshot& snapshot = open->document.snapshot();
+  const uint32_t offset = snapshot.text().offset(params.position, unit_);
+  Positions positions(snapshot.text(), unit_);
+  result.begin_array();
+  for (const Span span : features::references(snapshot, offset, params.include_declaration)) {
+    write_location(result, positions, params.uri, span);
+  }
+  result.end_array();
+  return std::nullopt;
+}
+
+Session::Outcome Session::document_symbol(const DocumentParams& params, JsonWriter& result) {
+  OpenDocument* open = documents_.find(params.uri);
+  if (open == nullptr) return not_open(params.uri);
+  const Snapshot& snapshot = open->document.snapshot();
+  const auto symbols = features::document_symbols(snapshot);
+  Positions positions(snapshot.text(), unit_);
+  if (client_.hierarchical_symbols) {
+    write_symbols(result, positions, symbols);
+  } else {
+    write_flat_symbols(result, positions, params.uri, symbols);
+  }
+  return std::nullopt;
+}
+
+Session::Outcome Session::stats(const NoParams&, JsonWriter& result) {
+  result.begin_object();
+  result.member("requests", traffic_.requests);
+  result.member("notifications", traffic_.notifications);
+  result.member("cancelled", traffic_.cancelled);
+  result.member("errors", traffic_.errors);
+  result.member("published", traffic_.published);
+  result.key("documents");
+  result.begin_array();
+  for (auto& [uri, open] : documents_.all()) {
+    const Snapshot& snapshot = open.document.snapshot();
+    const Counters counters = snapshot.counters();
+    result.begin_object();
+    result.member("uri", uri);
+    result.key("version");
+    if (open.version) result.value(*open.version);
+    if (!open.version) result.null();
+    result.member("bytes", snapshot.text().size());
+    result.member("blocks", snapshot.blocks().size());
+    result.member("definitions", snapshot.definitions().size());
+    result.member("blocksScanned", counters.blocks_scanned);
+    result.member("blocksParsed", counters.blocks_parsed);
+    result.member("definitionsChecked", counters.definitions_checked);
+    result.end_object();
+  }
+  result.end_array();
+  result.end_object();
+  return std::nullopt;
+}
+
+}  // namespace texbrdf::lsp

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace texbrdf::lsp {
+
+/// The path of a `file:` URI, percent-decoded, to be shown to people; any other URI as it is. Documents are told apart
+/// by their URIs as the client writes them, never by this.
+std::string shown_path(std::string_view uri);
+
+}  // namespace texbrdf::lsp

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "features/definition.h"
+#include "features/diagnostics.h"
+#include "features/document_symbols.h"
+#include "features/hover.h"
+#include "lsp/json_writer.h"
+#include "lsp/positions.h"
+
+namespace texbrdf::lsp {
+
+/// Results of features as the protocol's JSON.
+
+void write_hover(JsonWriter& out, Positions& positions, const features::Hover& hover, features::Markup markup);
+void write_definition_link(JsonWriter& out, Positions& positions, std::string_view uri,
+                           const features::DefinitionLink& link);
+void write_location(JsonWriter& out, Positions& positions, std::string_view uri, Span span);
+/// DocumentSymbol[]
+void write_symbols(JsonWriter& out, Positions& positions, std::span<const features::Symbol> symbols);
+/// SymbolInformation[], for clients that know no hierarchy.
+void write_flat_symbols(JsonWriter& out, Positions& positions, std::string_view uri,
+                        std::span<const features::Symbol> symbols);
+
+/// What the client understands of a diagnostic beyond its place and text.
+struct DiagnosticStyle {
+  bool related_information = false;
+  bool code_description = false;
+  std::string_view docs_url;  ///< of the page with an anchor for each code
+};
+
+/// PublishDiagnosticsParams
+void write_diagnostics(JsonWriter& out, Positions& positions, std::string_view uri, std::optional<int64_t> version,
+                       std::span<const features::ShownDiagnostic> diagnostics, const DiagnosticStyle& style);
+
+}  // namespace texbrdf::lsp

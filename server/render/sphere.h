@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace texbrdf::render {
+
+inline constexpr uint32_t kMaxPictureSize = 4096;
+
+/// A unit sphere that fills 90 % of a square picture, seen along -z, lit from one direction.
+struct SphereView {
+  uint32_t size = 256;       ///< pixels, width and height; 1 to kMaxPictureSize
+  double theta = 33.8941;    ///< degrees between the light and the view axis
+  double phi = 145.826;      ///< degrees of the light around the view axis, counter-clockwise from +x (right)
+  double gamma = 2.112;      ///< 0.1 to 10
+  double exposure = -1.248;  ///< stops, -60 to 60
+  friend bool operator==(const SphereView&, const SphereView&) = default;
+};
+
+/// Why the view cannot be drawn, in words, or nothing.
+std::optional<std::string> find_fault(const SphereView& view);
+
+/// The surface points of a picture of the sphere that have to be shaded: those in the light. docs/pictures.md gives the
+/// formulas.
+struct SphereGeometry {
+  /// Three arrays of a coordinate each.
+  using Vectors = std::array<std::vector<float>, 3>;
+
+  uint32_t size = 0;
+  std::array<float, 3> light{};
+  std::array<float, 3> view{0, 0, 1};
+  std::vector<uint8_t> alpha;    ///< coverage of every pixel of the picture
+  std::vector<uint32_t> pixels;  ///< of each point: its pixel, row by row from the top left
+  std::vector<float> cosines;    ///< N·L, always positive
+  Vectors normals;
+  Vectors tangents;
+  Vectors bitangents;
+
+  std::size_t point_count() const { return pixels.size(); }
+};
+
+/// Whether two views show the same points: gamma and exposure do not matter.
+bool same_geometry(const SphereView& a, const SphereView& b);
+
+/// The view has no fault.
+SphereGeometry make_sphere_geometry(const SphereView& view);
+
+/// Keeps the geometry of the view drawn last.
+class SphereCache {
+ public:
+  const SphereGeometry& geometry(const SphereView& view);
+
+ private:
+  std::optional<SphereView> view_;
+  SphereGeometry geometry_;
+};
+
+}  // namespace texbrdf::render

@@ -1,0 +1,106 @@
+#include "render/tone_map.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace texbrdf::render {
+
+namespace {
+
+/// Brings a linear value in [0, 1] to eight bits: round(255 · value^(1/gamma)), exactly. The bits of a float, cut
+/// to exponent and a few digits, index a table of first guesses; the thresholds between neighbouring levels decide.
+class GammaTable {
+ public:
+  explicit GammaTable(double gamma) {
+    for (std::size_t level = 1; level < thresholds_.size(); ++level) {
+      thresholds_[level] = static_cast<float>(std::pow((static_cast<double>(level) - 0.5) / 255, gamma));
+    }
+    thresholds_.back() = std::numeric_limits<float>::infinity();
+    uint32_t level = 0;
+    for (uint32_t cell = 0; cell < guesses_.size(); ++cell) {
+      const float least = std::bit_cast<float>(cell << kDroppedBits);
+      while (least >= thresholds_[level + 1]) ++level;
+      guesses_[cell] = static_cast<uint8_t>(level);
+    }
+  }
+
+  uint8_t operator()(float value) const {
+    if (!(value > 0)) return 0;
+    if (value >= 1) return 255;
+    uint32_t level = guesses_[std::bit_cast<uint32_t>(value) >> kDroppedBits];
+    while (value >= thresholds_[level + 1]) ++level;
+    return static_cast<uint8_t>(level);
+  }
+
+ private:
+  static constexpr uint32_t kDroppedBits = 16;
+  static constexpr uint32_t kCells = (std::bit_cast<uint32_t>(1.0F) >> kDroppedBits) + 1;
+
+  /// The least value of each level; 256 is never reached.
+  std::array<float, 257> thresholds_{};
+  std::array<uint8_t, kCells> guesses_{};
+};
+
+std::optional<BadPixel> find_fault(const std::array<float, 3>& value) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  const auto is_fine = [](float x) { return x >= 0 && x < kInfinity; };
+  if (is_fine(value[0]) && is_fine(value[1]) && is_fine(value[2])) return std::nullopt;
+  const auto any = [&](auto&& is_bad) { return std::any_of(value.begin(), value.end(), is_bad); };
+  if (any([](float x) { return std::isnan(x); })) return BadPixel::NotANumber;
+  if (any([](float x) { return std::isinf(x); })) return BadPixel::Infinite;
+  return BadPixel::Negative;
+}
+
+ImageRgba8 black_disc(const SphereGeometry& geometry) {
+  ImageRgba8 image{geometry.size, geometry.size, std::vector<uint8_t>(geometry.alpha.size() * 4)};
+  for (std::size_t i = 0; i < geometry.alpha.size(); ++i) image.pixels[i * 4 + 3] = geometry.alpha[i];
+  return image;
+}
+
+}  // namespace
+
+struct ToneMapper::State {
+  const SphereGeometry& geometry;
+  GammaTable encode;
+  float exposure;
+  Picture picture;
+};
+
+ToneMapper::ToneMapper(const SphereGeometry& geometry, const SphereView& view)
+    : state_(new State{
+          geometry, GammaTable(view.gamma), static_cast<float>(std::exp2(view.exposure)), {black_disc(geometry), {}}}) {
+}
+ToneMapper::~ToneMapper() = default;
+
+void ToneMapper::add(std::size_t first, std::size_t count, const ShadedValues& values) {
+  const SphereGeometry& geometry = state_->geometry;
+  Picture& picture = state_->picture;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t at = i * values.stride;
+    const std::array<float, 3> value{values.channels[0][at], values.channels[1][at], values.channels[2][at]};
+    uint8_t* pixel = &picture.image.pixels[std::size_t{geometry.pixels[first + i]} * 4];
+    if (const std::optional<BadPixel> bad = find_fault(value)) {
+      ++picture.bad_pixels[*bad];
+      std::copy_n(bad_pixel_entry(*bad).colour.begin(), 3, pixel);
+      continue;
+    }
+    const float scale = geometry.cosines[first + i] * state_->exposure;
+    for (std::size_t c = 0; c < 3; ++c) pixel[c] = state_->encode(value[c] * scale);
+  }
+}
+
+Picture ToneMapper::take() {
+  return std::move(state_->picture);
+}
+
+Picture tone_map(const SphereGeometry& geometry, const SphereView& view, const ShadedValues& values) {
+  ToneMapper mapper(geometry, view);
+  mapper.add(0, geometry.point_count(), values);
+  return mapper.take();
+}
+
+}  // namespace texbrdf::render
