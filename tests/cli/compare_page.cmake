@@ -1,0 +1,5 @@
+execute_process(COMMAND ${PROGRAM} diagnostics-page OUTPUT_VARIABLE fresh COMMAND_ERROR_IS_FATAL ANY)
+file(READ ${PAGE} written)
+if(NOT fresh STREQUAL written)
+  message(FATAL_ERROR "${PAGE} is stale: run ./dev docs")
+endif()

@@ -1,0 +1,246 @@
+#include "transcript.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "lsp/framing.h"
+#include "lsp/server.h"
+#include "support/memory_channel.h"
+
+namespace texbrdf::test {
+namespace {
+
+using json = nlohmann::ordered_json;
+
+constexpr std::string_view kFolder = "file:///work/";
+constexpr std::size_t kLineWidth = 110;
+
+std::vector<std::string> lines_of(std::string_view text) {
+  std::vector<std::string> lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    lines.emplace_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines;
+}
+
+/// The first word; it and the space behind it are taken away.
+std::string take_word(std::string_view& text) {
+  const std::size_t end = std::min(text.find(' '), text.size());
+  std::string word(text.substr(0, end));
+  text.remove_prefix(std::min(end + 1, text.size()));
+  return word;
+}
+
+// --- what the client says ---
+
+json read_position(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  return {{"line", std::stol(std::string(text.substr(0, colon))) - 1},
+          {"character", std::stol(std::string(text.substr(colon + 1))) - 1}};
+}
+
+json read_range(std::string_view text) {
+  const std::size_t dash = text.find('-');
+  return {{"start", read_position(text.substr(0, dash))}, {"end", read_position(text.substr(dash + 1))}};
+}
+
+json document(const std::string& name) {
+  return {{"uri", std::string(kFolder) + name}};
+}
+
+json expanded(const std::string& text) {
+  if (text.empty()) return nullptr;
+  json params = json::parse(text);
+  if (!params.is_object()) return params;
+  if (params.contains("doc")) params["textDocument"] = document(params["doc"]);
+  if (params.contains("at")) params["position"] = read_position(params["at"].get<std::string>());
+  params.erase("doc");
+  params.erase("at");
+  return params;
+}
+
+bool is_notification(std::string_view method) {
+  return method == "initialized" || method == "exit" || method.starts_with("$/") ||
+         method.starts_with("textDocument/did") || method.starts_with("notify/");
+}
+
+/// Turns the lines of a transcript into bytes.
+class Client {
+ public:
+  /// Empty where the line says nothing to the server.
+  std::string bytes_of(std::string_view line, const std::string& document_text) {
+    const std::string verb = take_word(line);
+    if (verb == "client") return message("initialize", expanded(std::string(line)));
+    if (verb == "->" || verb == "+>") {
+      const std::string method = take_word(line);
+      return message(method, expanded(std::string(line)));
+    }
+    if (verb == "+") return bytes_of(line, document_text);
+    if (verb == "open") return open(std::string(line), document_text);
+    if (verb == "change") return change(line);
+    if (verb == "raw") return json::parse(line).get<std::string>();
+    if (verb == "frame") return lsp::frame(json::parse(line).get<std::string>());
+    throw std::runtime_error("a transcript does not know: " + verb);
+  }
+
+ private:
+  std::string message(const std::string& method, json params) {
+    json body = {{"jsonrpc", "2.0"}};
+    if (!is_notification(method)) body["id"] = next_id_++;
+    body["method"] = method;
+    if (!params.is_null()) body["params"] = std::move(params);
+    return lsp::frame(body.dump());
+  }
+
+  std::string open(const std::string& name, const std::string& text) {
+    versions_[name] = 1;
+    json opened = document(name);
+    opened.update({{"languageId", "latex"}, {"version", 1}, {"text", text}});
+    return message("textDocument/didOpen", {{"textDocument", opened}});
+  }
+
+  std::string change(std::string_view line) {
+    const std::string name = take_word(line);
+    json changed;
+    if (!line.starts_with('"')) changed["range"] = read_range(take_word(line));
+    changed["text"] = json::parse(line);
+    json versioned = document(name);
+    versioned["version"] = ++versions_[name];
+    return message("textDocument/didChange", {{"textDocument", versioned}, {"contentChanges", json::array({changed})}});
+  }
+
+  int next_id_ = 0;
+  std::map<std::string, int> versions_;
+};
+
+// --- what the server says ---
+
+bool is_position(const json& value) {
+  return value.is_object() && value.size() == 2 && value.contains("line") && value.contains("character");
+}
+
+std::string position_text(const json& position) {
+  return fmt::format("{}:{}", position["line"].get<uint64_t>() + 1, position["character"].get<uint64_t>() + 1);
+}
+
+json normalised(const json& value) {
+  if (value.is_string()) {
+    const auto text = value.get<std::string>();
+    return text.starts_with(kFolder) ? text.substr(kFolder.size()) : text;
+  }
+  if (value.is_object() && value.size() == 2 && value.contains("start") && is_position(value["start"])) {
+    return position_text(value["start"]) + "-" + position_text(value["end"]);
+  }
+  json result = value;
+  if (!result.is_structured()) return result;
+  for (auto& element : result) element = normalised(element);
+  return result;
+}
+
+/// On one line where it fits, else broken up.
+void print(std::string& out, const json& value, std::size_t indent) {
+  const std::string line = value.dump();
+  if (!value.is_structured() || indent + line.size() <= kLineWidth) {
+    out += line;
+    return;
+  }
+  const std::string inner(indent + 2, ' ');
+  const char* separator = "\n";
+  out += value.is_object() ? "{" : "[";
+  for (const auto& [key, element] : value.items()) {
+    out += separator + inner + (value.is_object() ? json(key).dump() + ": " : "");
+    print(out, element, indent + 2);
+    separator = ",\n";
+  }
+  out += "\n" + std::string(indent, ' ') + (value.is_object() ? "}" : "]");
+}
+
+/// The answer to `client` is the same in every transcript but for the encoding.
+json abbreviated(const json& message) {
+  const auto encoding = json::json_pointer("/result/capabilities/positionEncoding");
+  if (!message.contains(encoding)) return message;
+  return {{"id", message["id"]}, {"positionEncoding", message[encoding]}};
+}
+
+std::string shown(std::string_view body, bool abbreviate) {
+  json message = json::parse(body);
+  message.erase("jsonrpc");
+  if (abbreviate) message = abbreviated(message);
+  std::string text = "<- ";
+  print(text, normalised(message), 3);
+  return text + "\n";
+}
+
+std::string shown_all(const std::string& stream, bool abbreviate) {
+  lsp::FrameDecoder decoder;
+  decoder.input() = stream;
+  std::string result;
+  while (auto next = decoder.next()) result += shown(std::get<lsp::Frame>(*next).body, abbreviate);
+  if (decoder.inside_message()) throw std::runtime_error("the server sent something that is no message");
+  return result;
+}
+
+// --- the transcript ---
+
+/// Lines of the transcript that belong together, and the bytes to send; the answers come behind them.
+struct Step {
+  std::string lines;
+  std::string bytes;
+};
+
+bool is_answer(const std::string& line) {
+  return line.starts_with("<- ") || line.starts_with("   ") || line.starts_with("=> ");
+}
+
+std::vector<Step> steps_of(std::string_view transcript) {
+  std::vector<std::string> lines = lines_of(transcript);
+  std::erase_if(lines, is_answer);
+  std::vector<Step> steps;
+  Client client;
+  for (std::size_t i = 0; i < lines.size();) {
+    const std::string& line = lines[i++];
+    const bool comment = line.empty() || line.starts_with("#");
+    const bool joined = line.starts_with("+") && !steps.empty();
+    if (!joined) steps.emplace_back();
+    Step& step = steps.back();
+    step.lines += line + "\n";
+    std::string text;
+    for (; i < lines.size() && lines[i].starts_with("|"); ++i) {
+      step.lines += lines[i] + "\n";
+      text += (text.empty() ? "" : "\n") + lines[i].substr(std::min<std::size_t>(2, lines[i].size()));
+    }
+    if (!comment) step.bytes += client.bytes_of(line, text);
+  }
+  return steps;
+}
+
+}  // namespace
+
+std::string play(std::string_view transcript) {
+  const std::vector<Step> steps = steps_of(transcript);
+  MemoryChannel channel;
+  for (const Step& step : steps) {
+    if (!step.bytes.empty()) channel.add(step.bytes);
+  }
+  lsp::Log log(lsp::LogLevel::Error, [](std::string_view) {});
+  const int status = lsp::run_server(channel, log, {.version = "0.0", .docs_url = "docs"});
+
+  std::string result;
+  std::size_t answered = 0;
+  for (const Step& step : steps) {
+    result += step.lines;
+    if (step.bytes.empty() || answered == channel.replies().size()) continue;
+    result += shown_all(channel.replies()[answered++], step.lines.starts_with("client"));
+  }
+  return result + fmt::format("=> exit status {}\n", status);
+}
+
+}  // namespace texbrdf::test

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <deque>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "lsp/channel.h"
+
+namespace texbrdf::test {
+
+/// A client without threads or clock: each time the server waits for input it gets the next chunk, at once. An empty
+/// chunk is a wait in which nothing came; behind the last chunk the input is closed.
+class MemoryChannel final : public lsp::Channel {
+ public:
+  void add(std::string chunk) { input_.push_back(std::move(chunk)); }
+
+  Status read(std::string& buffer, int timeout_ms) override {
+    if (timeout_ms == 0) return Status::Idle;
+    replies_.emplace_back();
+    if (input_.empty()) return Status::Closed;
+    const std::string chunk = std::move(input_.front());
+    input_.pop_front();
+    buffer += chunk;
+    return chunk.empty() ? Status::Idle : Status::Data;
+  }
+  void write(std::string_view bytes) override { replies_.back() += bytes; }
+  void flush() override {}
+
+  /// What was written after each chunk; the last one is behind the end of the input.
+  const std::vector<std::string>& replies() const { return replies_; }
+
+ private:
+  std::deque<std::string> input_;
+  std::vector<std::string> replies_;
+};
+
+}  // namespace texbrdf::test

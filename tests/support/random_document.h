@@ -1,0 +1,296 @@
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "support/random.h"
+
+namespace texbrdf::test {
+
+struct RandomDocumentOptions {
+  int parameters = 3;   ///< definitions whose right side is a literal
+  int functions = 3;    ///< functions of one to three parameters
+  int definitions = 5;  ///< plain ones, the root not counted
+  int depth = 4;        ///< of an expression
+};
+
+/// A document without errors that uses all of the language. Every expression stays finite and well conditioned where
+/// the directions are unit vectors above the horizon, so that two right evaluations of it agree up to rounding.
+class RandomDocument {
+ public:
+  RandomDocument(uint64_t seed, const RandomDocumentOptions& options) : random_(seed), options_(options) {
+    random_.shuffle(names_);
+  }
+
+  std::string make() {
+    for (int i = 0; i < options_.parameters; ++i) add_parameter();
+    for (int i = 0; i < options_.functions; ++i) add_function();
+    for (int i = 0; i < options_.definitions; ++i) add_definition();
+    add_root();
+    random_.shuffle(blocks_);
+    std::string text = "Prose before the equations, with $a$ formula in it.\n\n";
+    for (const std::string& block : blocks_) text += block + "\n";
+    return text;
+  }
+
+ private:
+  struct Function {
+    std::string name;
+    std::vector<bool> vector_parameters;
+    bool vector_result;
+  };
+
+  /// The names that an expression may use. Reals lie in [-1, 1], components of vectors too.
+  struct Scope {
+    std::vector<std::string> reals;
+    std::vector<std::string> vectors;
+    std::vector<std::string> angles{"\\theta_i", "\\theta_o", "\\theta_h", "\\theta_d", "\\phi_i", "\\phi_{o}"};
+  };
+
+  std::string next_name() {
+    if (!names_.empty()) {
+      const std::string name = names_.back();
+      names_.pop_back();
+      return name;
+    }
+    return "w_{" + std::to_string(++numbered_names_) + "}";
+  }
+
+  void add_block(const std::string& left, const std::string& right, const std::string& comment = "") {
+    const std::string environment = random_.chance(0.2) ? "equation*" : "equation";
+    std::string block = "\\begin{" + environment + "}";
+    if (!comment.empty()) block += " % " + comment;
+    blocks_.push_back(block + "\n  " + left + " = " + right + "\n\\end{" + environment + "}\n");
+  }
+
+  std::string number(double low, double high) {
+    const int thousandths = random_.between(static_cast<int>(low * 1000), static_cast<int>(high * 1000));
+    std::string digits = std::to_string(thousandths % 1000 + 1000);
+    digits[0] = '.';
+    return std::to_string(thousandths / 1000) + digits;
+  }
+
+  void add_parameter() {
+    const std::string name = next_name();
+    if (random_.chance(0.3)) {
+      add_block(name, "\\vec{" + number(0, 1) + ", " + number(0, 1) + ", 0.5}");
+      document_.vectors.push_back(name);
+      return;
+    }
+    const bool constant = random_.chance(0.2);
+    add_block(name, number(0.1, 1), constant ? "constant" : random_.chance(0.3) ? "range [0.05, 1]" : "");
+    document_.reals.push_back(name);
+  }
+
+  void add_function() {
+    static const std::vector<std::string> real_names{"x", "y_1", "\\tau", "\\theta_h", "\\beta"};
+    static const std::vector<std::string> vector_names{"\\vec{u}", "\\omega_i", "\\vec{h}", "\\vec{v_2}",
+                                                       "\\vec{\\omega_o}"};
+    Function function{.name = next_name(), .vector_parameters = {}, .vector_result = random_.chance(0.3)};
+    Scope scope = document_;
+    std::string left = function.name + "(";
+    std::vector<std::string> parameters;
+    const int count = random_.between(1, 3);
+    for (int i = 0; i < count; ++i) {
+      const bool vector = random_.chance(0.5);
+      const std::string& name =
+          (vector ? vector_names : real_names)[(random_.below(3) + 2 * static_cast<size_t>(i)) % 5];
+      if (std::find(parameters.begin(), parameters.end(), name) != parameters.end()) continue;
+      parameters.push_back(name);
+      left += (function.vector_parameters.empty() ? "" : ", ") + name;
+      function.vector_parameters.push_back(vector);
+      hide(scope, name);
+      // Twice, so that bodies use what they are given.
+      for (int repeat = 0; repeat < 2; ++repeat) (vector ? scope.vectors : scope.reals).push_back(name);
+    }
+    add_block(left + ")", function.vector_result ? vector_of(scope) : real_of(scope));
+    functions_.push_back(function);
+  }
+
+  static void hide(Scope& scope, const std::string& name) {
+    const auto erase = [&name](std::vector<std::string>& names) {
+      names.erase(std::remove(names.begin(), names.end(), name), names.end());
+    };
+    erase(scope.reals);
+    erase(scope.vectors);
+    erase(scope.angles);
+  }
+
+  void add_definition() {
+    const std::string name = next_name();
+    if (random_.chance(0.3)) {
+      add_block(name, vector_of(document_));
+      document_.vectors.push_back(name);
+    } else {
+      add_block(name, real_of(document_));
+      document_.reals.push_back(name);
+    }
+  }
+
+  void add_root() {
+    const std::string real = "2 + " + real_of(document_) + " + " + real_of(document_);
+    const std::string vector = vector_of(document_);
+    switch (random_.below(3)) {
+      case 0:
+        return add_block("f", real);
+      case 1:
+        return add_block("f", "\\left(" + real + "\\right) * " + vector);
+      default:
+        Scope scope = document_;
+        hide(scope, "\\omega_i");
+        scope.vectors.push_back("\\vec{a}");
+        return add_block("f(\\vec{a}, \\omega_o)", vector + " + " + real_of(scope) + " * \\vec{a}");
+    }
+  }
+
+  /// An expression whose range is within [-1, 1], as one operand.
+  std::string real_of(const Scope& scope) { return real(scope, options_.depth); }
+  std::string vector_of(const Scope& scope) { return vector(scope, options_.depth); }
+
+  std::string group(const std::string& text) {
+    switch (random_.below(3)) {
+      case 0:
+        return "(" + text + ")";
+      case 1:
+        return "{" + text + "}";
+      default:
+        return "\\left( " + text + " \\right)";
+    }
+  }
+
+  std::string real_leaf(const Scope& scope) {
+    if (random_.chance(0.2) || scope.reals.empty()) return number(0, 1);
+    if (random_.chance(0.1)) return "\\epsilon";
+    return random_.one_of(scope.reals);
+  }
+
+  std::string angle(const Scope& scope) {
+    if (scope.angles.empty() || random_.chance(0.1)) return " " + real_leaf(scope);
+    const std::string one = random_.one_of(scope.angles);
+    switch (random_.below(4)) {
+      case 0:
+        return "{" + one + " - " + random_.one_of(scope.angles) + "}";
+      case 1:
+        return "(2*" + one + " + " + random_.one_of(scope.angles) + ")";
+      default:
+        return " " + one;
+    }
+  }
+
+  std::string positive(const Scope& scope, int depth) { return group("2 + " + real(scope, depth)); }
+
+  std::string real(const Scope& scope, int depth) {
+    if (depth == 0 || random_.chance(0.1)) return real_leaf(scope);
+    const int next = depth - 1;
+    switch (random_.below(20)) {
+      case 0:
+        return group(real(scope, next) + " * 0.5 + " + real(scope, next) + "/2");
+      case 1:
+        return group("0.5 \\cdot " + real(scope, next) + " - \\frac{" + real(scope, next) + "}{2}");
+      case 2:
+        return group(real(scope, next) + " * " + real(scope, next));
+      case 3:
+        return "\\frac{" + real(scope, next) + "}{" + positive(scope, next) + "}";
+      case 4:
+        return group(real(scope, next) + " / " + positive(scope, next));
+      case 5:
+        return group("-" + real(scope, next));
+      case 6:
+        return "\\sin" + angle(scope);
+      case 7:
+        return "\\cos" + angle(scope);
+      case 8:
+        return group("\\cos{" + angle(scope) + "}^" + std::to_string(random_.between(2, 9)));
+      case 9:
+        return group("\\exp{-\\tan{\\theta_i}^2}");
+      case 10:
+        return "\\max(" + real(scope, next) + ", " + real(scope, next) + ", " + real_leaf(scope) + ")";
+      case 11:
+        return "\\min{" + real(scope, next) + ", " + real(scope, next) + "}";
+      case 12:
+        return group(positive(scope, next) + "^{-" + std::to_string(random_.between(1, 4)) + "}");
+      case 13:
+        return group("0.3 * \\sqrt[" + std::to_string(random_.between(2, 3)) + "]{" + positive(scope, next) + "}");
+      case 14:
+        return group("\\sqrt{" + positive(scope, next) + "}^{" + real(scope, next) + "} / 1.8");
+      case 15:
+        return group(random_.one_of(elementary_) + group("0.7 * " + real(scope, next)) + " * 0.4");
+      case 16:
+        return group("\\ln" + positive(scope, next) + " / 1.2");
+      case 17:
+        return group("(" + vector(scope, next) + ") " + (random_.chance(0.5) ? "\\cdot" : "*") + " (" +
+                     vector(scope, next) + ") / 3");
+      case 18:
+        return group(real(scope, next) + " * \\pi / 4");
+      default:
+        return call(scope, next, false);
+    }
+  }
+
+  std::string vector(const Scope& scope, int depth) {
+    static const std::vector<std::string> inputs{"\\omega_i", "\\vec{\\omega_o}", "\\vec{n}", "\\vec{h}"};
+    if (depth == 0 || random_.chance(0.1)) {
+      if (scope.vectors.empty() || random_.chance(0.4)) return random_.one_of(inputs);
+      return random_.one_of(scope.vectors);
+    }
+    const int next = depth - 1;
+    switch (random_.below(8)) {
+      case 0:
+        return group(vector(scope, next) + " * 0.5 + " + vector(scope, next) + " / 2");
+      case 1:
+        return group("0.5 * " + vector(scope, next) + " - " + vector(scope, next) + " * 0.5");
+      case 2:
+        return group(real(scope, next) + " * " + vector(scope, next));
+      case 3:
+        return group(vector(scope, next) + " / " + positive(scope, next));
+      case 4:
+        return group(vector(scope, next) + " \\times " + vector(scope, next) + " / 2");
+      case 5:
+        return "\\vec{" + number(0, 1) + ", -" + number(0, 1) + ", +.5}";
+      case 6:
+        return group("-" + vector(scope, next));
+      default:
+        return call(scope, next, true);
+    }
+  }
+
+  /// Arguments are within the range that bodies are written for, and so are results.
+  std::string call(const Scope& scope, int depth, bool vector_result) {
+    std::vector<Function> fitting;
+    for (const Function& function : functions_) {
+      if (function.vector_result == vector_result) fitting.push_back(function);
+    }
+    if (fitting.empty()) return vector_result ? std::string("\\vec{n}") : real_leaf(scope);
+    const Function& function = random_.one_of(fitting);
+    std::string text = function.name + "(";
+    for (std::size_t i = 0; i < function.vector_parameters.size(); ++i) {
+      if (i > 0) text += ", ";
+      text += function.vector_parameters[i] ? vector(scope, depth / 2) : real(scope, depth / 2);
+    }
+    return text + ")";
+  }
+
+  Random random_;
+  RandomDocumentOptions options_;
+  std::vector<std::string> names_{"a",           "val",       "\\rho_d",
+                                  "\\rho_s",     "\\alpha_x", "\\text{cook\\_torrance}",
+                                  "D",           "G",         "x_1",
+                                  "f_{n_i}",     "uH",        "\\phi_{\\text{diff}}",
+                                  "s_\\alpha",   "\\vec{t}",  "\\mathrm{spec}",
+                                  "n",           "h",         "\\sigma",
+                                  "x_{n+1}",     "\\kappa",   "Beckmann",
+                                  "\\text{abs}", "F_0",       "\\vec{C_s}"};
+  static inline const std::vector<std::string> elementary_{"\\sin",    "\\cos",  "\\tan",  "\\arcsin", "\\arccos",
+                                                           "\\arctan", "\\sinh", "\\cosh", "\\tanh"};
+  int numbered_names_ = 0;
+  Scope document_;
+  std::vector<Function> functions_;
+  std::vector<std::string> blocks_;
+};
+
+inline std::string random_document(uint64_t seed, const RandomDocumentOptions& options = {}) {
+  return RandomDocument(seed, options).make();
+}
+
+}  // namespace texbrdf::test

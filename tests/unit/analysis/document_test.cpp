@@ -1,0 +1,204 @@
+#include "analysis/document.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <random>
+
+#include "reports.h"
+#include "support/read_file.h"
+
+namespace texbrdf {
+namespace {
+
+using test::equations;
+using test::reports;
+
+Span find(const Document& document, std::string_view text) {
+  const size_t begin = document.text().bytes().find(text);
+  EXPECT_NE(begin, std::string_view::npos) << text;
+  return {static_cast<uint32_t>(begin), static_cast<uint32_t>(begin + text.size())};
+}
+
+std::string type_of(const Snapshot& snapshot, std::string_view name) {
+  return signature_text(snapshot.definition(*snapshot.find(name)).checked->signature);
+}
+
+TEST(Document, ReplacesText) {
+  Document document("abcdef");
+  document.replace({2, 4}, "XYZ");
+  EXPECT_EQ(document.text().bytes(), "abXYZef");
+  document.replace({6, 999}, "!");
+  EXPECT_EQ(document.text().bytes(), "abXYZe!");
+  document.replace({500, 600}, "?");
+  EXPECT_EQ(document.text().bytes(), "abXYZe!?");
+  document.replace({3, 1}, "|");
+  EXPECT_EQ(document.text().bytes(), "abX|YZe!?");
+}
+
+std::string ladder(int steps) {
+  std::vector<std::string> bodies = {"a_{0} = 1 + 1"};
+  for (int i = 1; i < steps; ++i) {
+    bodies.push_back("a_{" + std::to_string(i) + "} = a_{" + std::to_string(i - 1) + "} * 2");
+  }
+  bodies.push_back("f = a_{" + std::to_string(steps - 1) + "}");
+  return equations(bodies);
+}
+
+TEST(Document, ADigitRechecksOneDefinition) {
+  Document document(ladder(1000));
+  EXPECT_EQ(document.snapshot().counters().blocks_parsed, 1001u);
+  EXPECT_EQ(document.snapshot().counters().definitions_checked, 1001u);
+  const Span digit = find(document, "1 + 1");
+  document.replace({digit.begin, digit.begin + 1}, "7");
+  EXPECT_EQ(document.snapshot().counters().blocks_parsed, 1u);
+  EXPECT_EQ(document.snapshot().counters().definitions_checked, 1u);
+  EXPECT_TRUE(reports(document.snapshot()).empty());
+}
+
+TEST(Document, ProseCostsNothing) {
+  Document document(ladder(100));
+  document.snapshot();
+  document.replace({0, 0}, "Some words.\n\n");
+  EXPECT_EQ(document.snapshot().counters().blocks_parsed, 0u);
+  EXPECT_EQ(document.snapshot().counters().definitions_checked, 0u);
+  EXPECT_EQ(document.text().slice(document.snapshot().absolute(BlockId{3}, {0, 6})), "\\begin");
+}
+
+TEST(Document, AnotherTypeRechecksTheUsersUntilNothingChanges) {
+  Document document(equations({"a = 1", "b = a * \\vec{n}", "c = b \\cdot b", "f = c"}));
+  EXPECT_EQ(type_of(document.snapshot(), "b"), "ℝ³");
+  document.replace(find(document, "1\n"), "\\vec{1, 1, 1}\n");
+  EXPECT_EQ(type_of(document.snapshot(), "b"), "ℝ");
+  EXPECT_EQ(type_of(document.snapshot(), "c"), "ℝ");
+  EXPECT_EQ(document.snapshot().counters().definitions_checked, 3u) << "a, b and c; f saw no change";
+}
+
+TEST(Document, ANameThatAppearsMendsItsUsers) {
+  Document document(equations({"f = q + 1", "g(x) = x"}));
+  EXPECT_EQ(reports(document.snapshot()).size(), 1u);
+  document.replace({0, 0}, equations({"q = 2"}));
+  EXPECT_TRUE(reports(document.snapshot()).empty());
+  EXPECT_EQ(document.snapshot().counters().definitions_checked, 2u);
+  document.replace(find(document, "q = 2"), "r = 2");
+  EXPECT_EQ(reports(document.snapshot()).size(), 1u);
+}
+
+TEST(Document, BlocksThatMoveAreKept) {
+  Document document(equations({"a = 1", "b = 2", "f = a + b"}));
+  document.snapshot();
+  document.set_text(equations({"f = a + b", "b = 2", "a = 1"}));
+  EXPECT_EQ(document.snapshot().counters().blocks_parsed, 0u);
+  EXPECT_EQ(document.snapshot().counters().definitions_checked, 0u);
+  EXPECT_TRUE(reports(document.snapshot()).empty());
+}
+
+TEST(Document, SnapshotsStayAsTheyWere) {
+  Document document(equations({"f = 1"}));
+  const Snapshot before = document.snapshot();
+  document.replace(find(document, "1"), "\\vec{n}");
+  EXPECT_EQ(type_of(document.snapshot(), "f"), "ℝ³");
+  EXPECT_EQ(type_of(before, "f"), "ℝ");
+  EXPECT_EQ(before.equation(DefinitionId{0}), "f = 1");
+  EXPECT_TRUE(before.program());
+}
+
+std::string everything_of(const Snapshot& snapshot) {
+  std::string all;
+  for (const std::string& line : reports(snapshot)) all += line + "\n";
+  for (uint32_t i = 0; i < snapshot.definitions().size(); ++i) {
+    const Definition& definition = snapshot.definition(DefinitionId{i});
+    all += std::string(snapshot.names().text(definition.name)) + ": " + signature_text(definition.checked->signature);
+    for (Type type : definition.checked->types) all += type_symbol(type);
+    for (NameId name : definition.checked->mentioned) all += " " + std::string(snapshot.names().text(name));
+    all += (definition.in_force ? " in force " : " later ") + snapshot.equation(DefinitionId{i}) + "\n";
+  }
+  return all;
+}
+
+TEST(Document, AfterAnyEditsItIsAsIfReadAnew) {
+  const unsigned seed = 20240607;
+  std::mt19937 random(seed);
+  const std::vector<std::string> pieces = {"\\begin{equation}\n",
+                                           "\n\\end{equation}\n",
+                                           "%",
+                                           "{",
+                                           "}",
+                                           "(",
+                                           ")",
+                                           "a",
+                                           "b = 1",
+                                           " + ",
+                                           "\\vec{n}",
+                                           "q",
+                                           "\n\n",
+                                           "f = a + b",
+                                           "g(x) = x * 2",
+                                           "\\theta_h = 1",
+                                           "\\pi",
+                                           "1",
+                                           "^2",
+                                           "\\begin{equation}b = a\\end{equation}",
+                                           "\\begin{equation}a = 2\\end{equation}",
+                                           "\\begin{verbatim}",
+                                           "\\end{verbatim}"};
+  Document document(equations({"a = 1", "b = a * \\vec{n}", "g(x) = x + b", "h(y) = g(y) \\cdot b", "f = h(b) * a"}));
+  for (int step = 0; step < 1500; ++step) {
+    const auto size = static_cast<uint32_t>(document.text().size());
+    const uint32_t begin = size == 0 ? 0 : random() % size;
+    const uint32_t length = random() % 3 == 0 ? random() % 40 : 0;
+    document.replace({begin, begin + length}, pieces[random() % pieces.size()]);
+    if (size > 2000) document.set_text(equations({"a = 1", "b = a * \\vec{n}", "f = b \\cdot \\vec{h}"}));
+    Document anew{std::string(document.text().bytes())};
+    ASSERT_EQ(everything_of(document.snapshot()), everything_of(anew.snapshot()))
+        << "seed " << seed << ", step " << step << "\n"
+        << document.text().bytes();
+  }
+}
+
+TEST(Document, AnyBytesGiveAnAnswer) {
+  std::mt19937 random(7);
+  for (int round = 0; round < 300; ++round) {
+    std::string bytes = "\\begin{equation}";
+    for (int i = random() % 200; i > 0; --i) bytes += static_cast<char>(random() % (round % 2 == 0 ? 256 : 128));
+    if (round % 3 == 0) bytes += "\\end{equation}";
+    Document document(bytes);
+    everything_of(document.snapshot());
+  }
+}
+
+std::string repeated(const std::string& piece, int times) {
+  std::string text;
+  for (int i = 0; i < times; ++i) text += piece;
+  return text;
+}
+
+TEST(Document, HugeEquationsStayLinear) {
+  const std::string documents[] = {
+      "f = \\max(" + repeated("q,", 100'000) + "q)",
+      "f = \\max(" + repeated("q q,", 60'000) + "q)",
+      "f = \\max(" + repeated("\\foo{1},", 60'000) + "q)",
+      "f = \\max(" + repeated("\\foo{", 60'000) + "q)",
+      "f(" + repeated("p_{a},", 60'000) + "p) = p \\times \\vec{n}",
+      "f_{" + repeated("long", 100'000) + "} = \\max(" + repeated("q,", 100'000) + "q)",
+      "f = " + repeated("2 a ", 100'000),
+  };
+  for (const std::string& body : documents) {
+    Document document(equations({body}));
+    const auto all = document.snapshot().diagnostics();
+    EXPECT_GE(all.size(), 1u);
+    EXPECT_LE(all.size(), kMaxReports + 100);
+    for (const Diagnostic& d : all) ASSERT_LE(message(d).size(), 1000u);
+  }
+}
+
+TEST(Document, AChainOfTenThousandDefinitionsIsOrdinary) {
+  Document document(ladder(10'000));
+  EXPECT_TRUE(reports(document.snapshot()).empty());
+  EXPECT_TRUE(document.snapshot().program());
+  document.replace(find(document, "1 + 1"), "a_{9999}");
+  EXPECT_EQ(reports(document.snapshot()).size(), 1u) << "one cycle";
+}
+
+}  // namespace
+}  // namespace texbrdf

@@ -1,0 +1,164 @@
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/document.h"
+#include "features/definition.h"
+#include "features/diagnostics.h"
+#include "features/document_symbols.h"
+#include "features/hover.h"
+#include "features/references.h"
+
+namespace texbrdf::features {
+namespace {
+
+/// A document with a `@` at each place that a test asks about; the marks are taken out.
+struct Marked {
+  std::string text;
+  std::vector<uint32_t> places;
+};
+
+Marked marked(std::string_view source) {
+  Marked result;
+  for (const char c : source) {
+    if (c == '@') {
+      result.places.push_back(static_cast<uint32_t>(result.text.size()));
+    } else {
+      result.text += c;
+    }
+  }
+  return result;
+}
+
+std::string equation(std::string_view content) {
+  return "\\begin{equation}" + std::string(content) + "\\end{equation}\n";
+}
+
+/// What is underlined, as text.
+std::string text_at(const Snapshot& snapshot, Span span) {
+  return std::string(snapshot.text().slice(span));
+}
+
+std::string hover_text(const std::string& source) {
+  const Marked document = marked(source);
+  Document opened(document.text);
+  const auto found = hover(opened.snapshot(), document.places.at(0), Markup::PlainText);
+  return found ? text_at(opened.snapshot(), found->span) + " | " + found->text : "nothing";
+}
+
+TEST(Hover, ADefinitionSaysItsTypeEquationValueAndLine) {
+  EXPECT_EQ(hover_text("prose\n" + equation("f = @a_1") + equation(" a_{1} =\n  1/4 ")),
+            "a_1 | a_1: ℝ\n\na_{1} = 1/4\n\nvalue 0.25 · defined on line 3");
+  EXPECT_EQ(hover_text(equation("@f = \\vec{n}")), "f | f: ℝ³\n\nf = \\vec{n}\n\ndefined on line 1");
+  EXPECT_EQ(hover_text(equation("f = g@(\\vec{n})") + equation("g(\\vec{x}) = 2*\\vec{x}")),
+            "g | g: ℝ³ → ℝ³\n\ng(\\vec{x}) = 2*\\vec{x}\n\ndefined on line 2");
+}
+
+TEST(Hover, AVectorHasThreeValues) {
+  EXPECT_EQ(hover_text(equation("f = @c") + equation("c = 2*\\vec{1, 0, -0.25}")),
+            "c | c: ℝ³\n\nc = 2*\\vec{1, 0, -0.25}\n\nvalue (2, 0, -0.5) · defined on line 2");
+}
+
+TEST(Hover, AConventionSaysItsFormulaAndMeaning) {
+  EXPECT_EQ(hover_text(equation("f = @\\theta_h")),
+            "\\theta_h | \\theta_h: ℝ = arccos(N·H)\n\nangle between normal and half vector\n\n"
+            "a convention of the language");
+}
+
+TEST(Hover, AConventionFollowsAParameterOfItsName) {
+  EXPECT_EQ(hover_text(equation("f = g(\\vec{n})") + equation("g(\\omega_i) = \\cos@\\theta_i")),
+            "\\theta_i | \\theta_i: ℝ = arccos(N·L)\n\npolar angle of the incident direction\n\n"
+            "here of the parameter \\omega_i\n\na convention of the language");
+}
+
+TEST(Hover, AParameterSaysItsFunction) {
+  EXPECT_EQ(hover_text(equation("f = g(1)") + equation("g(x) = 2*@x")), "x | x: ℝ\n\nparameter of g");
+  EXPECT_EQ(hover_text(equation("f = 1") + equation("g(x) = \\vec{n} + @x")),
+            "x | x: ℝ³\n\nparameter of g, a vector because of how it is used");
+}
+
+TEST(Hover, NothingIsSaidOfWhatIsNoName) {
+  for (const char* content : {"f = 1 @+ 2", "f = 12@3", "f = nowhere@", "f = (1)@ "}) {
+    EXPECT_EQ(hover_text(equation(content)), "nothing") << content;
+  }
+  EXPECT_EQ(hover_text("pro@se " + equation("f = 1")), "nothing");
+}
+
+TEST(Hover, MarkdownFencesTheEquation) {
+  const Marked document = marked(equation("@f = 1"));
+  Document opened(document.text);
+  EXPECT_EQ(hover(opened.snapshot(), document.places[0], Markup::Markdown)->text,
+            "`f`: `ℝ`\n\n```latex\nf = 1\n```\n\nvalue 1 · defined on line 1");
+}
+
+TEST(Hover, AHugeEquationIsCutOff) {
+  std::string sum = "f@ = 1";
+  for (int i = 0; i < 500; ++i) sum += " + 1";
+  const std::string text = hover_text(equation(sum));
+  EXPECT_LT(text.size(), 1200u);
+  EXPECT_NE(text.find(" …\n\nvalue 501"), std::string::npos) << text;
+}
+
+TEST(DefinitionLink, LeadsToTheName) {
+  const Marked document =
+      marked(equation("f = g(@a, 2)") + equation("a = 1") + equation("g(x, y) = @x*y + \\the@ta_i"));
+  Document opened(document.text);
+  const Snapshot& snapshot = opened.snapshot();
+  const auto plain = definition_at(snapshot, document.places[0]);
+  ASSERT_TRUE(plain);
+  EXPECT_EQ(text_at(snapshot, plain->origin), "a");
+  EXPECT_EQ(text_at(snapshot, plain->whole), "a = 1");
+  EXPECT_EQ(text_at(snapshot, plain->name), "a");
+  const auto parameter = definition_at(snapshot, document.places[1]);
+  ASSERT_TRUE(parameter);
+  EXPECT_EQ(parameter->name.begin, parameter->whole.begin + 2);
+  EXPECT_EQ(text_at(snapshot, parameter->whole), "g(x, y) = x*y + \\theta_i");
+  EXPECT_FALSE(definition_at(snapshot, document.places[2]));
+}
+
+TEST(References, EveryPlaceOfTheSameThing) {
+  const Marked document = marked(equation("f = @a + g(a)") + equation("g(a) = a*@a") + equation("a = 1"));
+  Document opened(document.text);
+  const Snapshot& snapshot = opened.snapshot();
+  EXPECT_EQ(references(snapshot, document.places[0], true).size(), 3u);
+  EXPECT_EQ(references(snapshot, document.places[0], false).size(), 2u);
+  EXPECT_EQ(references(snapshot, document.places[1], true).size(), 3u);
+  EXPECT_EQ(references(snapshot, document.places[1], false).size(), 2u);
+  EXPECT_TRUE(references(snapshot, 0, true).empty());
+}
+
+TEST(DocumentSymbols, DefinitionsWithTheirParameters) {
+  Document opened(equation("f = g(\\vec{n})") + equation("broken = (") + equation("g(\\vec{x}) = 2*\\vec{x}"));
+  const Snapshot& snapshot = opened.snapshot();
+  const auto symbols = document_symbols(snapshot);
+  ASSERT_EQ(symbols.size(), 3u);
+  EXPECT_EQ(symbols[0].name, "f");
+  EXPECT_EQ(symbols[0].type, "ℝ³");
+  EXPECT_EQ(symbols[0].kind, SymbolKind::Variable);
+  EXPECT_EQ(symbols[2].kind, SymbolKind::Function);
+  EXPECT_EQ(symbols[2].type, "ℝ³ → ℝ³");
+  ASSERT_EQ(symbols[2].children.size(), 1u);
+  EXPECT_EQ(symbols[2].children[0].name, "\\vec{x}");
+  for (const Symbol& symbol : symbols) {
+    EXPECT_LE(symbol.whole.begin, symbol.selection.begin);
+    EXPECT_GE(symbol.whole.end, symbol.selection.end);
+  }
+}
+
+TEST(Diagnostics, AreFormedWithAbsoluteRanges) {
+  Document opened("θ " + equation("a = 1") + equation("f = a + zz") + equation("a = 2"));
+  const Snapshot& snapshot = opened.snapshot();
+  const auto shown = diagnostics(snapshot);
+  ASSERT_EQ(shown.size(), 2u);
+  EXPECT_EQ(text_at(snapshot, shown[0].span), "zz");
+  EXPECT_EQ(shown[0].severity, Severity::Error);
+  EXPECT_NE(shown[0].message.find("`zz`"), std::string::npos);
+  EXPECT_EQ(text_at(snapshot, shown[1].span), "a");
+  ASSERT_EQ(shown[1].related.size(), 1u);
+  EXPECT_EQ(shown[1].related[0].span.begin, std::string("θ \\begin{equation}").size());
+}
+
+}  // namespace
+}  // namespace texbrdf::features

@@ -1,0 +1,69 @@
+#include "lsp/message_handler.h"
+
+#include <gtest/gtest.h>
+
+#include <new>
+#include <string>
+#include <vector>
+
+namespace texbrdf::lsp {
+namespace {
+
+/// Methods that fail as no method should.
+struct Faulty {
+  std::optional<ResponseError> broken_invariant(const NoParams&, JsonWriter& result) {
+    result.begin_object();
+    throw InternalError("the invariant is broken");
+  }
+  std::optional<ResponseError> out_of_memory(const NoParams&, JsonWriter&) { throw std::bad_alloc(); }
+  std::string notification(const NoParams&) { throw InternalError("another invariant"); }
+};
+
+class MessageHandlerTest : public testing::Test {
+ protected:
+  MessageHandlerTest() {
+    session_.bind_methods(methods_);
+    methods_.request("test/brokenInvariant", faulty_, &Faulty::broken_invariant);
+    methods_.request("test/outOfMemory", faulty_, &Faulty::out_of_memory);
+    methods_.notification("test/notification", faulty_, &Faulty::notification);
+    send(R"({"jsonrpc":"2.0","id":0,"method":"initialize","params":{"capabilities":{}}})");
+    replies_.clear();
+  }
+  void send(const char* body) { handler_.handle({parse_message(body), 0, false}); }
+
+  std::string log_lines_;
+  std::vector<std::string> replies_;
+  Log log_{LogLevel::Error, [this](std::string_view line) { log_lines_ += line.substr(line.find(']') + 2); }};
+  Faulty faulty_;
+  ClientProcess client_process_{process_exists};
+  Session session_{log_, client_process_, "", ""};
+  Dispatcher methods_;
+  MessageHandler handler_{session_, methods_, log_, [this](const std::string& body) { replies_.push_back(body); }};
+};
+
+TEST_F(MessageHandlerTest, AFaultInAHandlerIsAnErrorReplyAndALogLine) {
+  send(R"({"jsonrpc":"2.0","id":1,"method":"test/brokenInvariant"})");
+  send(R"({"jsonrpc":"2.0","id":2,"method":"test/outOfMemory"})");
+  ASSERT_EQ(replies_.size(), 2u);
+  EXPECT_EQ(replies_[0], R"({"jsonrpc":"2.0","id":1,"error":{"code":-32603,"message":"the invariant is broken"}})");
+  EXPECT_EQ(replies_[1], R"({"jsonrpc":"2.0","id":2,"error":{"code":-32603,"message":"std::bad_alloc"}})");
+  EXPECT_EQ(log_lines_,
+            "error   internal error in test/brokenInvariant: the invariant is broken\n"
+            "error   internal error in test/outOfMemory: std::bad_alloc\n");
+}
+
+TEST_F(MessageHandlerTest, AFaultInANotificationIsALogLine) {
+  send(R"({"jsonrpc":"2.0","method":"test/notification"})");
+  EXPECT_TRUE(replies_.empty());
+  EXPECT_EQ(log_lines_, "error   internal error in test/notification: another invariant\n");
+  send(R"({"jsonrpc":"2.0","id":3,"method":"shutdown"})");
+  ASSERT_EQ(replies_.size(), 1u);
+  EXPECT_EQ(replies_[0], R"({"jsonrpc":"2.0","id":3,"result":null})");
+}
+
+TEST_F(MessageHandlerTest, AMethodIsBoundOnce) {
+  EXPECT_THROW(methods_.request("shutdown", faulty_, &Faulty::out_of_memory), InternalError);
+}
+
+}  // namespace
+}  // namespace texbrdf::lsp

@@ -1,0 +1,316 @@
+#include <gtest/gtest.h>
+
+#include "checked_text.h"
+
+namespace texbrdf {
+namespace {
+
+struct Case {
+  const char* what;
+  std::vector<std::string> equations;  // the last one is looked at
+  std::string signature;
+  std::vector<std::string> reports;
+};
+
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.what;
+}
+
+class Check : public testing::TestWithParam<Case> {};
+
+TEST_P(Check, GivesTypesAndReports) {
+  const test::CheckedText text(GetParam().equations);
+  EXPECT_EQ(signature_text(text.last().signature), GetParam().signature);
+  EXPECT_EQ(text.reports(), GetParam().reports);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Expressions, Check,
+    testing::ValuesIn(std::vector<Case>{
+        {"number", {"a = 1"}, "ℝ", {}},
+        {"vector literal", {"a = \\vec{1, -0.5, +.5}"}, "ℝ³", {}},
+        {"sum", {"a = 1 + 2 - 3"}, "ℝ", {}},
+        {"sum of vectors", {"a = \\vec{n} + \\vec{h} - \\omega_i"}, "ℝ³", {}},
+        {"scaled", {"a = 2 * \\vec{n} * 3 / 4"}, "ℝ³", {}},
+        {"dot product", {"a = \\vec{n} \\cdot \\vec{h}"}, "ℝ", {}},
+        {"cross product", {"a = \\vec{n} \\times \\vec{h}"}, "ℝ³", {}},
+        {"signs keep the type", {"a = -+-\\vec{n}"}, "ℝ³", {}},
+        {"fraction", {"a = \\frac{\\vec{n}}{2}"}, "ℝ³", {}},
+        {"functions", {"a = \\exp 1 + \\sqrt{2} + \\sqrt[3]{2} + \\max(1, 2, 3) + 2^3"}, "ℝ", {}},
+        {"every convention",
+         {"a = (\\theta_i + \\theta_o + \\phi_i + \\phi_o + \\theta_h + \\theta_d + \\pi + \\epsilon) * "
+          "(\\vec{\\omega_i} + \\vec{\\omega_o})"},
+         "ℝ³",
+         {}},
+        {"call", {"g(\\vec{a}, x) = x * \\vec{a}", "b = g(\\vec{n}, 2)"}, "ℝ³", {}},
+        {"sum of vector and real",
+         {"a = \\vec{n} + 1"},
+         "?",
+         {"E4001 [+] `+` between ℝ³ and ℝ: it needs two operands of the same type"}},
+        {"difference",
+         {"a = 1 - \\vec{n}"},
+         "?",
+         {"E4001 [-] `-` between ℝ and ℝ³: it needs two operands of the same type"}},
+        {"division by a vector",
+         {"a = 1 / \\vec{n}"},
+         "?",
+         {"E4001 [/] `/` between ℝ and ℝ³: it needs a real below the line"}},
+        {"fraction of vectors",
+         {"a = \\frac{1}{\\vec{n}}"},
+         "?",
+         {"E4001 [\\frac] `\\frac` between ℝ and ℝ³: it needs a real below the line"}},
+        {"cross product of reals",
+         {"a = 2 \\times 3"},
+         "?",
+         {"E4001 [\\times] `\\times` between ℝ and ℝ: it needs two vectors"}},
+        {"power of vectors",
+         {"a = \\vec{n}^{(\\vec{h})}"},
+         "?",
+         {"E4002 [\\vec{n}] operand of `^`: expected ℝ, got ℝ³",
+          "E4002 [\\vec{h}] operand of `^`: expected ℝ, got ℝ³"}},
+        {"root of a vector",
+         {"a = \\sqrt[\\vec{h}]{4}"},
+         "?",
+         {"E4002 [\\vec{h}] operand of `\\sqrt`: expected ℝ, got ℝ³"}},
+        {"maximum of a vector",
+         {"a = \\max(1, {\\vec{n}})"},
+         "?",
+         {"E4002 [\\vec{n}] operand of `\\max`: expected ℝ, got ℝ³"}},
+        {"no cascade upwards",
+         {"a = \\exp(\\vec{n}) + \\vec{n} * (1 + \\exp(\\vec{h}) \\times 2)"},
+         "?",
+         {"E4002 [\\vec{n}] operand of `\\exp`: expected ℝ, got ℝ³",
+          "E4002 [\\vec{h}] operand of `\\exp`: expected ℝ, got ℝ³"}},
+        {"no cascade to users", {"a = \\vec{n} + 1", "b = \\exp(a) + a \\times 2 + \\vec{n}"}, "?", {}},
+    }));
+
+INSTANTIATE_TEST_SUITE_P(
+    Names, Check,
+    testing::ValuesIn(std::vector<Case>{
+        {"undefined", {"a = q + 1"}, "?", {"E3001 [q] undefined name `q` in the definition of `a`"}},
+        {"undefined in a call", {"a = q(1)"}, "?", {"E3001 [q] undefined name `q` in the definition of `a`"}},
+        {"undefined twice has two places",
+         {"a = q + q"},
+         "?",
+         {"E3001 [q] undefined name `q` in the definition of `a`",
+          "E3001 [q] undefined name `q` in the definition of `a`"}},
+        {"undefined Greek letter",
+         {"a = \\alpha"},
+         "?",
+         {"E3001 [\\alpha] undefined name `\\alpha` in the definition of `a`"}},
+        {"reserved word",
+         {"a = arccos"},
+         "?",
+         {"E3002 [arccos] `arccos` is a reserved word; the command is `\\arccos`"}},
+        {"reserved word called", {"a = exp(1)"}, "?", {"E3002 [exp] `exp` is a reserved word; the command is `\\exp`"}},
+        {"reserved word with groups",
+         {"a = frac{1}{2}"},
+         "?",
+         {"E3002 [frac] `frac` is a reserved word; the command is `\\frac`"}},
+        {"reserved word with an operand",
+         {"a = sin 2"},
+         "?",
+         {"E3002 [sin] `sin` is a reserved word; the command is `\\sin`"}},
+        {"reserved word defined", {"max = 1"}, "?", {"E3002 [max] `max` is a reserved word; the command is `\\max`"}},
+        {"reserved word as parameter",
+         {"g(max) = max"},
+         "? → ?",
+         {"E3002 [max] `max` is a reserved word; the command is `\\max`"}},
+        {"reserved words in subscripts are none",
+         {"x_{max} = \\text{max}"},
+         "?",
+         {"E3001 [\\text{max}] undefined name `\\text{max}` in the definition of `x_{max}`"}},
+        {"unknown command", {"a = \\foo + 1"}, "?", {"E3003 [\\foo] unknown command `\\foo`"}},
+        {"unknown command with groups",
+         {"a = \\foo{q}{\\vec{n} + 1} * 2"},
+         "?",
+         {"E3003 [\\foo] unknown command `\\foo`"}},
+        {"unknown command behind an operand", {"a = 2\\foo"}, "?", {"E3003 [\\foo] unknown command `\\foo`"}},
+        {"a command that is defined", {"\\foo = 1", "a = \\foo"}, "ℝ", {}},
+        {"a command that is a parameter", {"g(\\foo) = \\foo"}, "ℝ → ℝ", {}},
+        {"missing operator", {"a = 2 \\pi"}, "?", {"E3012 [\\pi] missing operator"}},
+        {"missing operator before an undefined name", {"a = 2x"}, "?", {"E3012 [x] missing operator"}},
+        {"missing operators of a chain",
+         {"a = 2 \\pi \\theta_i"},
+         "?",
+         {"E3012 [\\pi] missing operator", "E3012 [\\theta_i] missing operator"}},
+        {"missing operator before a bracket", {"a = 2(1 + 3)"}, "?", {"E3012 [(] missing operator"}},
+        {"calling a value", {"k = 2", "a = k(3)"}, "?", {"E3004 [k] `k` is called but is no function"}},
+        {"calling a convention", {"a = \\pi(3)"}, "?", {"E3004 [\\pi] `\\pi` is called but is no function"}},
+        {"calling a parameter", {"g(x) = x(3)"}, "? → ?", {"E3004 [x] `x` is called but is no function"}},
+        {"function as a value",
+         {"g(x) = x", "a = g + 1"},
+         "?",
+         {"E3005 [g] `g` is a function and stands here without arguments"}},
+        {"redefined constant", {"\\pi = 3"}, "?", {"E3007 [\\pi] `\\pi` is a constant and cannot be redefined"}},
+        {"redefined epsilon as a function",
+         {"\\epsilon(x) = x"},
+         "? → ?",
+         {"E3007 [\\epsilon] `\\epsilon` is a constant and cannot be redefined"}},
+        {"repeated parameter",
+         {"g(x, y, x) = y"},
+         "? × ? × ? → ?",
+         {"E3011 [x] parameter `x` stands here for the second time"}},
+        {"repeated parameter in another spelling",
+         {"g(\\omega_i, \\vec{\\omega_i}) = 1"},
+         "ℝ³ × ℝ³ → ?",
+         {"E3011 [\\vec{\\omega_i}] parameter `\\omega_i` stands here for the second time"}},
+    }));
+
+INSTANTIATE_TEST_SUITE_P(
+    Calls, Check,
+    testing::ValuesIn(std::vector<Case>{
+        {"too few", {"g(a, x) = a*x", "f = g(1)"}, "?", {"E4004 [g(1)] `g` takes 2 arguments, got 1"}},
+        {"too many", {"g(a) = a", "f = 1 + g(1, 2, 3)"}, "?", {"E4004 [g(1, 2, 3)] `g` takes 1 argument, got 3"}},
+        {"wrong argument",
+         {"g(a, x) = a*x", "f = g(1, ((\\vec{n})))"},
+         "?",
+         {"E4003 [\\vec{n}] 2nd argument of `g`: expected ℝ, got ℝ³"}},
+        {"wrong third argument",
+         {"g(a, b, \\vec{c}) = a*b*\\vec{c}", "f = g(1, 2, 3)"},
+         "?",
+         {"E4003 [3] 3rd argument of `g`: expected ℝ³, got ℝ"}},
+        {"faults inside arguments",
+         {"g(a) = a", "f = g(q)"},
+         "?",
+         {"E3001 [q] undefined name `q` in the definition of `f`"}},
+        {"poisoned parameters take anything", {"g(x) = x \\times \\text{p}", "f = g(\\vec{n}) + g(1)"}, "?", {}},
+        {"known parameters of a function in error",
+         {"g(\\vec{x}) = \\vec{x} + 1", "f = g(1)"},
+         "?",
+         {"E4003 [1] 1st argument of `g`: expected ℝ³, got ℝ"}},
+    }));
+
+INSTANTIATE_TEST_SUITE_P(
+    Parameters, Check,
+    testing::ValuesIn(std::vector<Case>{
+        {"all real", {"g(a, b) = a * b"}, "ℝ × ℝ → ℝ", {}},
+        {"by spelling",
+         {"g(\\vec{a}, \\omega_i, \\omega_o) = \\vec{a} + \\omega_i + \\omega_o"},
+         "ℝ³ × ℝ³ × ℝ³ → ℝ³",
+         {}},
+        {"unused ones are real", {"g(a, b) = 1"}, "ℝ × ℝ → ℝ", {}},
+        {"a vector where the body needs one",
+         {"g(x) = x \\times \\vec{n}"},
+         "ℝ³ → ℝ³",
+         {"E4005 [x] `x` is taken as a vector; write `\\vec{x}`"}},
+        {"fewest vectors",
+         {"g(a, b) = a * (b \\cdot \\vec{n}) + b \\times \\vec{n} \\cdot \\vec{n}"},
+         "ℝ × ℝ³ → ℝ",
+         {"E4005 [b] `b` is taken as a vector; write `\\vec{b}`"}},
+        {"of equally few the leftmost",
+         {"g(a, b) = a * b + \\vec{n}"},
+         "ℝ³ × ℝ → ℝ³",
+         {"E4005 [a] `a` is taken as a vector; write `\\vec{a}`"}},
+        {"leftmost pair",
+         {"g(a, b, c, d) = a * b + \\vec{n} * (c * d + \\vec{n})"},
+         "ℝ × ℝ × ℝ³ × ℝ → ℝ",
+         {"E4005 [c] `c` is taken as a vector; write `\\vec{c}`"}},
+        {"all of them",
+         {"g(a, b, c) = (a + b + c) \\times \\vec{n}"},
+         "ℝ³ × ℝ³ × ℝ³ → ℝ³",
+         {"E4005 [a] `a` is taken as a vector; write `\\vec{a}`",
+          "E4005 [b] `b` is taken as a vector; write `\\vec{b}`",
+          "E4005 [c] `c` is taken as a vector; write `\\vec{c}`"}},
+        {"through a call",
+         {"h(\\vec{x}) = \\vec{x} \\cdot \\vec{n}", "g(y) = h(y)"},
+         "ℝ³ → ℝ",
+         {"E4005 [y] `y` is taken as a vector; write `\\vec{y}`"}},
+        {"nothing checks: the all-real reading",
+         {"g(x) = \\exp(x) + x \\times \\vec{n}"},
+         "? → ?",
+         {"E4001 [\\times] `\\times` between ℝ and ℝ³: it needs two vectors"}},
+        {"an error elsewhere leaves it open",
+         {"g(x) = x \\times \\text{p}"},
+         "? → ?",
+         {"E3001 [\\text{p}] undefined name `\\text{p}` in the definition of `g`"}},
+        {"poison leaves it open", {"p = q", "g(x, \\vec{y}) = x \\times p"}, "? × ℝ³ → ?", {}},
+        {"hides a definition", {"b = \\vec{n}", "g(b) = b + 1"}, "ℝ → ℝ", {}},
+        {"hides a function", {"b(x) = x", "g(b) = b + 1"}, "ℝ → ℝ", {}},
+        {"hides conventions, constants too", {"s(\\theta_h, \\pi) = \\theta_h + 2 * \\pi"}, "ℝ × ℝ → ℝ", {}},
+        {"hides the convention in its other spelling",
+         {"g(\\omega_i) = \\vec{\\omega_i} \\cdot \\vec{n}"},
+         "ℝ³ → ℝ",
+         {}},
+    }));
+
+TEST(CheckDefinition, ParametersShadowConventions) {
+  const test::CheckedText text({"g(\\vec{\\omega_o}, \\vec{n}, x) = \\cos\\theta_o * x"});
+  const auto& parameters = text.last().parameters;
+  ASSERT_EQ(parameters.size(), 3u);
+  EXPECT_EQ(parameters[0].shadowed, std::vector{Convention::OmegaO});
+  EXPECT_EQ(parameters[1].shadowed, std::vector{Convention::Normal});
+  EXPECT_TRUE(parameters[2].shadowed.empty());
+  EXPECT_FALSE(parameters[0].inferred);
+  EXPECT_TRUE(parameters[2].inferred);
+}
+
+TEST(CheckDefinition, TheVectorFixWrapsEveryOccurrence) {
+  const test::CheckedText text({"g(x, y) = y * x \\times \\vec{n} + x"});
+  ASSERT_EQ(text.last().diagnostics.size(), 1u);
+  const Diagnostic& hint = text.last().diagnostics[0];
+  EXPECT_EQ(hint.severity, Severity::Hint);
+  ASSERT_EQ(hint.fixes.size(), 1u);
+  ASSERT_EQ(hint.fixes[0].edits.size(), 3u);
+  for (const Edit& edit : hint.fixes[0].edits) {
+    EXPECT_EQ(text.block().slice(edit.where.span), "x");
+    EXPECT_EQ(edit.replacement, "\\vec{x}");
+  }
+}
+
+TEST(CheckDefinition, FixesSayWhatToInsert) {
+  const test::CheckedText product({"a = 2 \\pi"});
+  ASSERT_EQ(product.last().diagnostics.at(0).fixes.size(), 1u);
+  const Edit& star = product.last().diagnostics[0].fixes[0].edits.at(0);
+  EXPECT_TRUE(star.where.span.empty());
+  EXPECT_EQ(star.where.span.begin, product.last().diagnostics[0].where.span.begin);
+  EXPECT_EQ(star.replacement, "*");
+
+  const test::CheckedText word({"a = \\vec{max}"});
+  const Edit& backslash = word.last().diagnostics.at(0).fixes.at(0).edits.at(0);
+  EXPECT_EQ(word.block().text.substr(backslash.where.span.begin, 3), "max");
+  EXPECT_EQ(backslash.replacement, "\\");
+}
+
+TEST(CheckDefinition, RepeatedParametersPointAtTheFirst) {
+  const test::CheckedText text({"g(x, y, x) = y"});
+  ASSERT_EQ(text.last().diagnostics.at(0).related.size(), 1u);
+  EXPECT_LT(text.last().diagnostics[0].related[0].where.span.begin, text.last().diagnostics[0].where.span.begin);
+}
+
+TEST(CheckDefinition, AFunctionOfManyParametersIsDecidedQuickly) {
+  std::string left = "g(";
+  std::string body;
+  for (char c = 'a'; c <= 'z'; ++c) {
+    left += std::string(c == 'a' ? "" : ",") + "p_" + c;
+    body += std::string(c == 'a' ? "" : "+") + "p_" + c + "\\times \\vec{n}";
+  }
+  const test::CheckedText text({left + ") = " + body});
+  EXPECT_TRUE(text.last().usable);
+  for (const CheckedParameter& parameter : text.last().parameters) EXPECT_EQ(parameter.type, Type::Vector);
+}
+
+TEST(CheckDefinition, GivesUpOnAPuzzleOfManyParameters) {
+  // Products of three say only how many of them are vectors, and no choice satisfies all sums.
+  std::string left = "g(";
+  std::string body = "0";
+  const int count = 40;
+  for (int i = 0; i < count; ++i) {
+    left += (i == 0 ? "p_{" : ",p_{") + std::to_string(i) + "}";
+    const auto name = [&](int k) { return "p_{" + std::to_string((i + k) % count) + "}"; };
+    body += "+ \\vec{n} \\cdot (" + name(0) + "*" + name(7) + "*" + name(17) + " + \\vec{n})";
+  }
+  body += " + \\exp(p_{0} * p_{1} * \\vec{n}) + \\exp(p_{0} * p_{1})";
+  const test::CheckedText text({left + ") = " + body});
+  EXPECT_FALSE(text.last().usable);
+  EXPECT_FALSE(text.last().diagnostics.empty());
+}
+
+TEST(CheckDefinition, MentionsEachNameOnce) {
+  const test::CheckedText text({"a = 1", "g(x) = a + x * a + \\pi"});
+  EXPECT_EQ(text.last().mentioned.size(), 2u);
+  EXPECT_EQ(text.names().text(text.last().mentioned[0]), "a");
+}
+
+}  // namespace
+}  // namespace texbrdf

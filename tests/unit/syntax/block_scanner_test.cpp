@@ -1,0 +1,139 @@
+#include "syntax/block_scanner.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <string>
+
+namespace texbrdf {
+namespace {
+
+std::string_view end_name(BlockEnd end) {
+  switch (end) {
+    case BlockEnd::Closed:
+      return "closed";
+    case BlockEnd::WrongEnd:
+      return "wrong-end";
+    case BlockEnd::NextBegin:
+      return "next-begin";
+    case BlockEnd::BlankLine:
+      return "blank-line";
+    case BlockEnd::DocumentEnd:
+      return "document-end";
+  }
+  return {};
+}
+
+/// `content:end` of each block.
+std::string blocks_text(std::string_view document) {
+  std::string text;
+  for (const BlockExtent& block : scan_blocks(document)) {
+    const std::string_view whole = document.substr(block.whole.begin, block.whole.size());
+    EXPECT_EQ(whole.substr(0, 6), "\\begin");
+    EXPECT_EQ(block.begin.end, block.content.begin);
+    EXPECT_EQ(block.content.end, block.end.begin);
+    EXPECT_EQ(whole.substr(block.end.begin, block.end.size()), block.end.empty() ? "" : "\\end");
+    text += "[";
+    text += whole.substr(block.content.begin, block.content.size());
+    text += ":";
+    text += end_name(block.ended_by);
+    text += "]";
+  }
+  return text;
+}
+
+struct Case {
+  const char* name;
+  const char* document;
+  const char* blocks;
+};
+
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.document;
+}
+
+class BlockScanner : public testing::TestWithParam<Case> {};
+
+TEST_P(BlockScanner, finds_the_blocks) {
+  EXPECT_EQ(blocks_text(GetParam().document), GetParam().blocks);
+}
+
+constexpr Case kCases[] = {
+    {"none", "prose costs $5", ""},
+    {"empty_document", "", ""},
+    {"one", "a\\begin{equation}b\\end{equation}c", "[b:closed]"},
+    {"starred", "\\begin{equation*}b\\end{equation*}", "[b:closed]"},
+    {"empty_block", "\\begin{equation}\\end{equation}", "[:closed]"},
+    {"two", "\\begin{equation}a\\end{equation}\\begin{equation}b\\end{equation}", "[a:closed][b:closed]"},
+    {"before_document", "\\begin{equation}a\\end{equation}\\begin{document}\\begin{equation}b\\end{equation}",
+     "[a:closed][b:closed]"},
+    {"behind_document", "\\begin{equation}a\\end{equation}\\end{document}\\begin{equation}b\\end{equation}",
+     "[a:closed]"},
+    {"document_end_in_comment", "% \\end{document}\n\\begin{equation}a\\end{equation}", "[a:closed]"},
+    {"other_environments", "\\begin{align}x\\end{align}\\begin{equation}a\\end{equation}", "[a:closed]"},
+    {"space_before_brace", "\\begin {equation}a\\end\t{equation}", "[a:closed]"},
+    {"longer_command", "\\beginning{equation}a\\end{equation}", ""},
+    {"line_break_before_begin", "\\\\begin{equation}a\\end{equation}", ""},
+    {"comment", "% \\begin{equation}a\\end{equation}\n", ""},
+    {"comment_ends_at_carriage_return", "% no\r\\begin{equation}a\\end{equation}", "[a:closed]"},
+    {"comment_at_the_end", "\\begin{equation}a\\end{equation}%", "[a:closed]"},
+    {"escaped_percent", "5\\% \\begin{equation}a\\end{equation}", "[a:closed]"},
+    {"percent_behind_line_break", "\\\\% \\begin{equation}a\\end{equation}", ""},
+    {"comment_inside", "\\begin{equation}a % \\end{equation}\n+b\\end{equation}", "[a % \\end{equation}\n+b:closed]"},
+    {"verbatim", "\\begin{verbatim}\\begin{equation}a\\end{equation}\\end{verbatim}\\begin{equation}b\\end{equation}",
+     "[b:closed]"},
+    {"percent_in_verbatim", "\\begin{verbatim}%\\end{verbatim}\\begin{equation}b\\end{equation}", "[b:closed]"},
+    {"listing", "\\begin{lstlisting}[language=C]\\begin{equation}a\\end{equation}\\end{lstlisting}", ""},
+    {"comment_environment", "\\begin{comment}\\begin{equation}a\\end{equation}\\end{comment}", ""},
+    {"verbatim_without_end", "\\begin{verbatim}\\begin{equation}a\\end{equation}", ""},
+    {"verb", "\\verb|\\begin{equation}|\\begin{equation}a\\end{equation}", "[a:closed]"},
+    {"verb_star", "\\verb*+%\\begin{equation}+ \\begin{equation}a\\end{equation}", "[a:closed]"},
+    {"verb_without_end", "\\verb|abc\n\\begin{equation}a\\end{equation}", "[a:closed]"},
+    {"verb_at_the_end", "\\verb", ""},
+    {"backslash_at_the_end", "a\\", ""},
+    {"next_begin", "\\begin{equation}a \\begin{equation}b\\end{equation}", "[a :next-begin][b:closed]"},
+    {"blank_line", "\\begin{equation}\na\n \t\nprose\n\\begin{equation}b\\end{equation}",
+     "[\na\n:blank-line][b:closed]"},
+    {"blank_line_crlf", "\\begin{equation}\r\na\r\n\r\nprose", "[\r\na\r\n:blank-line]"},
+    {"crlf_is_no_blank_line", "\\begin{equation}\r\na\r\nb", "[\r\na\r\nb:document-end]"},
+    {"blank_line_lone_cr", "\\begin{equation}a\r\rprose", "[a\r:blank-line]"},
+    {"comment_line_is_not_blank", "\\begin{equation}a\n%\nb", "[a\n%\nb:document-end]"},
+    {"blank_line_in_a_closed_block", "\\begin{equation}a\n\nb\\end{equation}", "[a\n\nb:closed]"},
+    {"document_end", "\\begin{equation}a\\end{document}", "[a:document-end]"},
+    {"end_of_file", "\\begin{equation}a", "[a:document-end]"},
+    {"wrong_end", "\\begin{equation}a\\end{equation*}b", "[a:wrong-end]"},
+    {"wrong_end_behind_blank_line", "\\begin{equation}a\n\nb\\end{theorem}", "[a\n:blank-line]"},
+    {"inner_environment", "\\begin{equation}a\\begin{cases}b\\end{cases}\\end{equation}",
+     "[a\\begin{cases}b\\end{cases}:closed]"},
+    {"inner_environment_without_end", "\\begin{equation}a\\begin{cases}b\\end{equation}", "[a\\begin{cases}b:closed]"},
+    {"end_in_verb_inside", "\\begin{equation}a\\verb|\\end{equation}|\\end{equation}",
+     "[a\\verb|\\end{equation}|:closed]"},
+    {"brace_without_end", "\\begin{equation \\begin{equation}a\\end{equation}", "[a:closed]"},
+};
+
+INSTANTIATE_TEST_SUITE_P(Documents, BlockScanner, testing::ValuesIn(kCases),
+                         [](const auto& param_info) { return std::string(param_info.param.name); });
+
+TEST(BlockScannerSpeed, is_linear_in_documents_made_to_be_slow) {
+  constexpr std::string_view kPieces[] = {"\\begin{equation}",
+                                          "\\begin{equation}a\n\n",
+                                          "\\begin{",
+                                          "\\verb|a|",
+                                          "\\",
+                                          "%",
+                                          "\\begin{verbatim}",
+                                          "\\end{x}",
+                                          "\\begin{x}",
+                                          "\n"};
+  for (const std::string_view piece : kPieces) {
+    std::string document;
+    while (document.size() < 4'000'000) document += piece;
+    const auto start = std::chrono::steady_clock::now();
+    scan_blocks(document);
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+    EXPECT_LT(passed.count(), 5.0) << piece;
+  }
+}
+
+}  // namespace
+}  // namespace texbrdf
