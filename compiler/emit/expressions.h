@@ -46,7 +46,7 @@ class ExpressionWriter {
   std::optional<ExpressionId> clamp(ir::ValueId id);
   ExpressionId power(ir::ValueId id);
   ExpressionId whole_power(ExpressionId base, uint32_t exponent);
-  ExpressionId inverse_cosine_or_sine(ir::ValueId id, std::string_view function, Helper helper);
+  ExpressionId inverse_cosine_or_sine(ir::ValueId id, std::string_view function, Helper tolerant);
 
   ExpressionPool& pool_;
   const ir::Graph& graph_;

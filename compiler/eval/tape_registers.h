@@ -50,6 +50,6 @@ const CodeEntry& code_entry(Code code);
 RegisterTape write_registers(const ir::Graph& graph);
 
 /// Gives registers slots, the same one to registers that are not needed at the same time: few slots stay in the cache.
-Tape allocate_slots(RegisterTape tape);
+Tape allocate_slots(RegisterTape registers);
 
 }  // namespace texbrdf::eval

@@ -23,7 +23,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kPatience = 500ms;  ///< with a process that should be dead already
+constexpr auto kPatience = 3s;  ///< with a process that is dead already: giving back gigabytes takes a while
 constexpr auto kLook = 1ms;
 
 std::string_view name_of(std::string_view assignment) {
@@ -147,7 +147,7 @@ void ChildProcess::close_socket() {
 std::string ChildProcess::finish() {
   close_socket();
   if (!has_ended()) kill(process_, SIGKILL);
-  if (!wait_briefly()) return "cannot be killed";
+  if (!wait_briefly()) return "was killed, but does not end";
   if (WIFSIGNALED(status_)) {
     const int signal = WTERMSIG(status_);
     return fmt::format("was killed by signal {} ({})", signal, strsignal(signal));

@@ -55,15 +55,19 @@ bool is_elementwise(Op op) {
   return op == Op::Negate || op == Op::Add || op == Op::Subtract || op == Op::Multiply || op == Op::Divide;
 }
 
-/// Works on the new graph, whose operands are folded already.
+/// What is known of the conditions of a graph, by ValueId: there are no constants that are truths.
+using Truths = std::unordered_map<uint32_t, bool>;
+
+/// Adds one value to the new graph, whose operands are folded already.
 class Folder {
  public:
-  ValueId fold(Graph& graph, const Value& value, std::span<const ValueId> operands) {
-    graph_ = &graph;
+  Folder(Graph& graph, Truths& truths) : graph_(graph), truths_(truths) {}
+
+  ValueId fold(const Value& value, std::span<const ValueId> operands) {
     if (const auto folded = fold_to_constant(value, operands)) return *folded;
     if (const auto same = equal_operand(value, operands)) return *same;
     if (const auto simpler = fold_sign(value, operands)) return *simpler;
-    const ValueId result = graph.copy(value, operands);
+    const ValueId result = graph_.copy(value, operands);
     note_truth(result);
     return result;
   }
@@ -71,24 +75,24 @@ class Folder {
  private:
   using Triple = std::array<double, 3>;
 
-  bool is_constant(ValueId id) const { return graph_->at(id).op == Op::Constant; }
+  bool is_constant(ValueId id) const { return graph_.at(id).op == Op::Constant; }
   bool is_number(ValueId id, double number) const {
-    const Value& value = graph_->at(id);
+    const Value& value = graph_.at(id);
     return value.op == Op::Constant && value.constant == number && std::signbit(value.constant) == std::signbit(number);
   }
 
   /// The components of a number, spread, or of a vector of numbers.
   std::optional<Triple> constant_triple(ValueId id) const {
     if (is_constant(id)) {
-      const double number = graph_->at(id).constant;
+      const double number = graph_.at(id).constant;
       return Triple{number, number, number};
     }
-    if (graph_->at(id).op != Op::MakeVector) return std::nullopt;
+    if (graph_.at(id).op != Op::MakeVector) return std::nullopt;
     Triple triple;
     for (uint32_t i = 0; i < 3; ++i) {
-      const ValueId component = graph_->operand(id, i);
+      const ValueId component = graph_.operand(id, i);
       if (!is_constant(component)) return std::nullopt;
-      triple[i] = graph_->at(component).constant;
+      triple[i] = graph_.at(component).constant;
     }
     return triple;
   }
@@ -102,9 +106,9 @@ class Folder {
       return std::nullopt;
     }
     const double number =
-        plain_value(value.op, graph_->at(operands.front()).constant, graph_->at(operands.back()).constant);
+        plain_value(value.op, graph_.at(operands.front()).constant, graph_.at(operands.back()).constant);
     if (!std::isfinite(number)) return std::nullopt;
-    return graph_->constant(number);
+    return graph_.constant(number);
   }
 
   std::optional<ValueId> fold_vector(const Value& value, std::span<const ValueId> operands) {
@@ -117,9 +121,9 @@ class Folder {
       result[i] = plain_value(value.op, (*a)[i], (*b)[i]);
       if (!std::isfinite(result[i])) return std::nullopt;
     }
-    const ValueId red = graph_->constant(result[0]);
-    const ValueId green = graph_->constant(result[1]);
-    return graph_->add(Op::MakeVector, {red, green, graph_->constant(result[2])});
+    const ValueId red = graph_.constant(result[0]);
+    const ValueId green = graph_.constant(result[1]);
+    return graph_.add(Op::MakeVector, {red, green, graph_.constant(result[2])});
   }
 
   std::optional<ValueId> fold_dot(std::span<const ValueId> operands) {
@@ -128,7 +132,7 @@ class Folder {
     if (!a || !b) return std::nullopt;
     const double number = (*a)[0] * (*b)[0] + (*a)[1] * (*b)[1] + (*a)[2] * (*b)[2];
     if (!std::isfinite(number)) return std::nullopt;
-    return graph_->constant(number);
+    return graph_.constant(number);
   }
 
   /// The operand that the value equals for every input, NaN, infinities and both zeros included.
@@ -141,8 +145,8 @@ class Folder {
     if (op == Op::Divide && is_number(operands[1], 1)) return operands[0];
     if (op == Op::Subtract && is_number(operands[1], 0)) return operands[0];
     if ((op == Op::Min || op == Op::Max) && operands[0] == operands[1]) return operands[0];
-    if (op == Op::Component && graph_->at(operands[0]).op == Op::MakeVector) {
-      return graph_->operand(operands[0], value.index);
+    if (op == Op::Component && graph_.at(operands[0]).op == Op::MakeVector) {
+      return graph_.operand(operands[0], value.index);
     }
     return op == Op::Select ? chosen_branch(operands) : std::nullopt;
   }
@@ -164,31 +168,30 @@ class Folder {
   std::optional<ValueId> fold_sign(const Value& value, std::span<const ValueId> operands) {
     if (value.op == Op::Negate) return negated_operand(operands[0]);
     if (value.op == Op::Multiply) {
-      if (is_number(operands[0], -1)) return graph_->add(Op::Negate, {operands[1]});
-      if (is_number(operands[1], -1)) return graph_->add(Op::Negate, {operands[0]});
+      if (is_number(operands[0], -1)) return graph_.add(Op::Negate, {operands[1]});
+      if (is_number(operands[1], -1)) return graph_.add(Op::Negate, {operands[0]});
     }
     if (value.op != Op::Add && value.op != Op::Subtract) return std::nullopt;
     const auto positive = negated_operand(operands[1]);
     if (!positive) return std::nullopt;
-    return graph_->add(value.op == Op::Add ? Op::Subtract : Op::Add, {operands[0], *positive});
+    return graph_.add(value.op == Op::Add ? Op::Subtract : Op::Add, {operands[0], *positive});
   }
 
   std::optional<ValueId> negated_operand(ValueId id) const {
-    if (graph_->at(id).op != Op::Negate) return std::nullopt;
-    return graph_->operand(id, 0);
+    if (graph_.at(id).op != Op::Negate) return std::nullopt;
+    return graph_.operand(id, 0);
   }
 
-  /// There are no constants that are truths; what is known of a condition is kept beside the graph.
   void note_truth(ValueId id) {
-    const Value& value = graph_->at(id);
+    const Value& value = graph_.at(id);
     if (value.type != Type::Boolean || value.operand_count == 0) return;
     if (const auto truth = find_truth(id)) truths_.emplace(id.value, *truth);
   }
 
   std::optional<bool> find_truth(ValueId id) const {
-    const ValueId first = graph_->operand(id, 0);
-    const ValueId second = graph_->operand(id, graph_->at(id).operand_count - 1);
-    const Op op = graph_->at(id).op;
+    const ValueId first = graph_.operand(id, 0);
+    const ValueId second = graph_.operand(id, graph_.at(id).operand_count - 1);
+    const Op op = graph_.at(id).op;
     if (op == Op::And) return junction(truth_of(first), truth_of(second), false);
     if (op == Op::Or) return junction(truth_of(first), truth_of(second), true);
     if (op == Op::Less || op == Op::LessEqual || op == Op::Equal) return comparison(op, first, second);
@@ -210,22 +213,22 @@ class Folder {
 
   std::optional<bool> comparison(Op op, ValueId first, ValueId second) const {
     if (!is_constant(first) || !is_constant(second)) return std::nullopt;
-    const double a = graph_->at(first).constant;
-    const double b = graph_->at(second).constant;
+    const double a = graph_.at(first).constant;
+    const double b = graph_.at(second).constant;
     if (op == Op::Less) return a < b;
     return op == Op::LessEqual ? a <= b : a == b;
   }
 
-  Graph* graph_ = nullptr;
-  std::unordered_map<uint32_t, bool> truths_;
+  Graph& graph_;
+  Truths& truths_;
 };
 
 }  // namespace
 
 Graph fold_constants(const Graph& graph) {
-  Folder folder;
+  Truths truths;
   return rewrite(graph, [&](Graph& result, ValueId id, std::span<const ValueId> operands) {
-    return folder.fold(result, graph.at(id), operands);
+    return Folder(result, truths).fold(graph.at(id), operands);
   });
 }
 
