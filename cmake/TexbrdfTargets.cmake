@@ -14,6 +14,10 @@ endif()
 if(TEXBRDF_SANITIZERS)
   target_compile_options(texbrdf_options INTERFACE
     -fsanitize=${TEXBRDF_SANITIZERS} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  if(TEXBRDF_SANITIZERS MATCHES "undefined")
+    # Debian's glslang has no RTTI, which this check needs.
+    target_compile_options(texbrdf_options INTERFACE -fno-sanitize=vptr)
+  endif()
   target_link_options(texbrdf_options INTERFACE -fsanitize=${TEXBRDF_SANITIZERS})
 endif()
 

@@ -141,7 +141,7 @@ class Search {
 }  // namespace
 
 std::optional<std::vector<Type>> infer_parameters(const DefinitionView& view, const ResolvedBody& body,
-                                                  std::vector<Type> known) {
+                                                  const std::vector<Type>& known) {
   return Search(view, body, known).run();
 }
 

@@ -13,6 +13,6 @@ inline constexpr uint64_t kMaxInferenceSteps = 1 << 22;
 /// Types for the parameters of type Error in `known`, so that the body checks: the fewest vectors, of equally few the
 /// leftmost. Nothing where no types do, or where the search would be too long.
 std::optional<std::vector<Type>> infer_parameters(const DefinitionView& view, const ResolvedBody& body,
-                                                  std::vector<Type> known);
+                                                  const std::vector<Type>& known);
 
 }  // namespace texbrdf

@@ -34,7 +34,7 @@ struct Name {
 };
 
 /// The structure of a Name node.
-Name read_name(const ParsedBlock& block, NodeId name);
+Name read_name(const ParsedBlock& block, NodeId id);
 /// Equal for equal names, and itself a valid spelling of the name: `\phi_{\text{diff}}`, `x_1`, `\vec{n}`. The
 /// spellings of one convention are one name: `\vec{\omega_i}` gives `\omega_i`.
 std::string canonical_form(const Name& name);

@@ -34,7 +34,7 @@ class StableList {
     uint32_t chunk, offset;
   };
   static Place locate(uint32_t index) {
-    const uint32_t chunk = static_cast<uint32_t>(std::bit_width(index / kFirstChunk + 1)) - 1;
+    const auto chunk = static_cast<uint32_t>(std::bit_width((index / kFirstChunk + 1) / 2));
     return {chunk, index - kFirstChunk * ((uint32_t{1} << chunk) - 1)};
   }
 

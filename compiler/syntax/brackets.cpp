@@ -113,7 +113,8 @@ bool brackets_balance(std::span<const Token> tokens) {
       if (depth == kDeepest) return false;
       expected[depth++] = closer_of(token.kind);
     } else {
-      if (depth == 0 || expected[--depth] != token.kind) return false;
+      if (depth == 0 || expected[depth - 1] != token.kind) return false;
+      --depth;
     }
   }
   return depth == 0;
