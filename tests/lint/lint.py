@@ -40,8 +40,8 @@ RESTRICTED_HEADERS = [
 LONGEST_FILE = 800
 SOURCE = re.compile(r"\.(h|cpp)$")
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
-# Things outside the repository, which a clone does not have.
-OUTSIDE = re.compile(r"(\.\./)?\bshared/(design|language|facts|models|papers|errors)|/work/(main|shared)|\bissues show\b")
+# Somebody's own folders, which others do not have.
+OUTSIDE = re.compile(r"(?<![\w.])/(home|root)/\w")
 INCLUDED_OFTEN = re.compile(r"Included by each\b")
 FILE_NAME = re.compile(r"^[a-z0-9_]+\.(h|cpp|def)$")
 
