@@ -58,12 +58,12 @@ bool is_same_thing(const Occurrence& wanted, NameId name, const Referent& refere
 }  // namespace
 
 std::optional<Occurrence> Snapshot::occurrence_at(uint32_t offset) const {
-  const auto behind = std::ranges::upper_bound(state_->blocks, offset, {}, &Block::offset);
-  if (behind == state_->blocks.begin()) return std::nullopt;
-  const auto block = static_cast<uint32_t>(behind - state_->blocks.begin() - 1);
-  const uint32_t relative = offset - state_->blocks[block].offset;
+  const std::optional<BlockId> block = block_at(offset);
+  if (!block) return std::nullopt;
+  const uint32_t relative = offset - state_->blocks[block->value].offset;
+  const DefinitionRange definitions = definitions_of(*block);
   std::optional<Occurrence> touched;
-  for (uint32_t id = state_->first_definition(block); id < state_->list.block_ends[block]; ++id) {
+  for (uint32_t id = definitions.first.value; id < definitions.end.value; ++id) {
     const NameReader reader(*this, DefinitionId{id});
     for (uint32_t node = reader.begin(); node < reader.end(); ++node) {
       if (!reader.name(node).valid() || !reader.relative(node).touches(relative)) continue;

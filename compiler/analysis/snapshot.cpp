@@ -27,6 +27,14 @@ const DefinitionSyntax& Snapshot::syntax(DefinitionId id) const {
 const ParsedBlock& Snapshot::parsed(BlockId id) const {
   return *state_->blocks[id.value].parsed;
 }
+std::optional<BlockId> Snapshot::block_at(uint32_t offset) const {
+  const auto behind = std::ranges::upper_bound(state_->blocks, offset, {}, &Block::offset);
+  if (behind == state_->blocks.begin()) return std::nullopt;
+  return BlockId{static_cast<uint32_t>(behind - state_->blocks.begin() - 1)};
+}
+DefinitionRange Snapshot::definitions_of(BlockId id) const {
+  return {{state_->first_definition(id.value)}, {state_->list.block_ends[id.value]}};
+}
 const NameTable& Snapshot::names() const {
   return *state_->names;
 }

@@ -39,6 +39,12 @@ struct Block {
   std::shared_ptr<const BlockNames> names;
 };
 
+/// The definitions of one block: [first, end).
+struct DefinitionRange {
+  DefinitionId first;
+  DefinitionId end;
+};
+
 struct Definition {
   BlockId block;
   uint32_t index_in_block = 0;
@@ -69,6 +75,9 @@ class Snapshot {
   const Definition& definition(DefinitionId id) const;
   const DefinitionSyntax& syntax(DefinitionId id) const;
   const ParsedBlock& parsed(BlockId id) const;
+  /// The last block that starts at or before the offset.
+  std::optional<BlockId> block_at(uint32_t offset) const;
+  DefinitionRange definitions_of(BlockId id) const;
   const NameTable& names() const;
   Counters counters() const;
 
