@@ -1,5 +1,7 @@
 #include "analysis/analysed_block.h"
 
+#include <algorithm>
+
 #include "semantics/check.h"
 
 namespace texbrdf {
@@ -10,9 +12,22 @@ bool AnalysedBlock::is_same(std::string_view text, const BlockExtent& extent) co
          own.ended_by == extent.ended_by;
 }
 
+namespace {
+
+bool is_ignored(const std::vector<Directive>& directives) {
+  return std::ranges::any_of(directives, [](const Directive& d) { return d.kind == Directive::Kind::Ignore; });
+}
+
+}  // namespace
+
 AnalysedBlock analyse_block(std::string_view text, const BlockExtent& extent, NameTable& table) {
   AnalysedBlock block;
   block.parsed = parse_block(text, extent);
+  block.directives = directives_above(block.parsed.text, extent);
+  if (is_ignored(block.directives)) {
+    block.parsed.definitions.clear();
+    block.parsed.diagnostics.clear();
+  }
   block.names = read_names(block.parsed, table);
   for (const DefinitionSyntax& definition : block.parsed.definitions) {
     std::vector<NameId> mentioned = mentioned_names(block.parsed, definition, block.names);

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/directive.h"
 #include "semantics/names.h"
 #include "syntax/parsed_block.h"
 
@@ -14,6 +15,7 @@ namespace texbrdf {
 struct AnalysedBlock {
   ParsedBlock parsed;
   BlockNames names;
+  std::vector<Directive> directives;   ///< those right above it
   std::vector<NameId> mentions;        ///< of all definitions, one after the other
   std::vector<uint32_t> mention_ends;  ///< by definition
 
@@ -21,6 +23,7 @@ struct AnalysedBlock {
     const uint32_t begin = definition == 0 ? 0 : mention_ends[definition - 1];
     return std::span(mentions).subspan(begin, mention_ends[definition] - begin);
   }
+  NameId defined(uint32_t definition) const { return names.by_node[parsed.definitions[definition].name.value]; }
   /// True where scanning gave the same block again, wherever it now stands.
   bool is_same(std::string_view text, const BlockExtent& extent) const;
 };

@@ -2,101 +2,133 @@
 
 #include <algorithm>
 
+#include "analysis/changed_names.h"
+#include "analysis/engine_state.h"
+#include "analysis/rescan.h"
 #include "analysis/snapshot_state.h"
+#include "analysis/update.h"
 
 namespace texbrdf {
 namespace {
 
-std::vector<Block> public_blocks(const std::vector<PlacedBlock>& placed) {
-  std::vector<Block> blocks;
-  blocks.reserve(placed.size());
-  for (const PlacedBlock& block : placed) {
-    // Both share the ownership of the whole analysed block.
-    blocks.push_back({.offset = block.offset,
-                      .parsed = {block.block, &block.block->parsed},
-                      .names = {block.block, &block.block->names}});
-  }
-  return blocks;
-}
-
-std::vector<Definition> public_definitions(const DefinitionList& list, const CheckedDocument& checked) {
-  std::vector<Definition> definitions;
-  definitions.reserve(list.definitions.size());
-  for (uint32_t i = 0; i < list.definitions.size(); ++i) {
-    const ListedDefinition& definition = list.definitions[i];
-    const std::shared_ptr<const DefinitionRecord>& record = checked.records[i];
-    definitions.push_back({.block = BlockId{definition.block},
-                           .index_in_block = definition.index_in_block,
-                           .name = definition.name,
-                           .in_force = list.find(definition.name) == i,
-                           .checked = {record, &record->checked}});
-  }
-  return definitions;
-}
-
-std::shared_ptr<const Snapshot::State> analyse(std::shared_ptr<const SourceText> text,
-                                               const std::shared_ptr<NameTable>& names,
-                                               const Snapshot::State* earlier) {
-  auto state = std::make_shared<Snapshot::State>();
-  state->text = std::move(text);
-  state->names = names;
-  BlockList listed = list_blocks(state->text->bytes(), earlier ? earlier->placed : std::vector<PlacedBlock>{}, *names);
-  state->placed = std::move(listed.blocks);
-  state->list = list_definitions(state->placed, *names);
-  if (earlier != nullptr) {
-    const EarlierDocument before{earlier->list, earlier->checked};
-    state->checked = check_document(state->placed, state->list, *names, &before);
-  } else {
-    state->checked = check_document(state->placed, state->list, *names, nullptr);
-  }
-  state->blocks = public_blocks(state->placed);
-  state->definitions = public_definitions(state->list, state->checked);
-  state->counters = {
-      .blocks_scanned = listed.scanned, .blocks_parsed = listed.parsed, .definitions_checked = state->checked.checked};
-  return state;
-}
+/// Names that nobody uses any more stay in the table; when there are so many times more than definitions, all is
+/// built anew.
+constexpr size_t kMaxNamesPerDefinition = 64;
+constexpr size_t kFewNames = 100'000;
 
 }  // namespace
 
 struct Document::State {
-  std::shared_ptr<const SourceText> text;
-  std::shared_ptr<NameTable> names = std::make_shared<NameTable>();
-  std::shared_ptr<const Snapshot::State> analysed;  // of the last snapshot; the text may be newer
-  std::optional<Snapshot> snapshot;                 // of the text as it is
+  EngineState engine;
+  TouchedBlocks touched;  // since the last snapshot
+  NameIndex name_index;
+  std::shared_ptr<NameSuggestions> suggestions;
+  uint64_t scanned = 0;  // blocks, since the last snapshot
+  Counters counters;
+  bool is_current = false;  // the snapshot is that of the text
+  std::optional<Snapshot> snapshot;
+
+  void start_anew(SourceText text) {
+    engine = {};
+    engine.text = std::move(text);
+    engine.segments = scan_document(engine.text);
+    touched = {.all = true, .before = {}};
+    name_index = {};
+    scanned = engine.segments.measure().blocks;
+    is_current = false;
+  }
+
+  void edit(const TextEdit& edit) {
+    Rescan result = rescan(engine.segments, engine.text, edit);
+    if (result.relabelled) {
+      start_anew(std::move(engine.text));
+      return;
+    }
+    engine.segments = std::move(result.segments);
+    scanned += result.added.size();
+    if (!touched.all) touch(result);
+    is_current = false;
+  }
+
+  void touch(const Rescan& result) {
+    for (const auto& block : result.added) touched.before.try_emplace(block->label, nullptr);
+    for (const auto& block : result.removed) {
+      if (block->analysed) touched.before[block->label] = block;
+    }
+  }
+
+  void bring_up_to_date() {
+    const size_t names = engine.names->size();
+    if (names > kFewNames && names > kMaxNamesPerDefinition * engine.segments.measure().definitions) {
+      start_anew(std::move(engine.text));
+    }
+    UpdateResult result = update(engine, touched, name_index);
+    touched = {};
+    name_index = std::move(result.name_index);
+    counters = result.counters;
+    counters.blocks_scanned = std::exchange(scanned, 0);
+    if (result.other_definitions || !suggestions) suggestions = std::make_shared<NameSuggestions>();
+    publish();
+  }
+
+  void publish() {
+    auto state = std::make_shared<Snapshot::State>();
+    state->text = engine.text;
+    state->segments = engine.segments;
+    state->names = engine.names;
+    state->name_index = name_index;
+    state->lists_users = engine.lists_users;
+    state->cycles = engine.cycles;
+    state->root = engine.root;
+    state->suggestions = suggestions;
+    state->counters = counters;
+    snapshot.emplace(std::move(state));
+    is_current = true;
+  }
 };
 
-Document::Document(std::string text) : state_(std::make_unique<State>()) {
-  set_text(std::move(text));
+Document::Document(std::string_view text) : state_(std::make_unique<State>()) {
+  state_->start_anew(SourceText(text));
 }
 Document::~Document() = default;
 Document::Document(Document&&) noexcept = default;
 Document& Document::operator=(Document&&) noexcept = default;
 
 void Document::replace(Span span, std::string_view replacement) {
-  const std::string_view old = state_->text->bytes();
-  const size_t begin = std::min<size_t>(span.begin, old.size());
-  const size_t end = std::clamp<size_t>(span.end, begin, old.size());
-  std::string text;
-  text.reserve(old.size() - (end - begin) + replacement.size());
-  text.append(old.substr(0, begin)).append(replacement).append(old.substr(end));
-  set_text(std::move(text));
+  SourceText& text = state_->engine.text;
+  const uint32_t begin = std::min(span.begin, text.size());
+  const uint32_t end = std::clamp(span.end, begin, text.size());
+  const size_t room = SourceText::kMaxBytes - (text.size() - (end - begin));
+  const std::string_view inserted = replacement.substr(0, room);
+  text = text.with({begin, end}, inserted);
+  state_->edit({begin, end - begin, static_cast<uint32_t>(inserted.size())});
 }
 
-void Document::set_text(std::string text) {
-  state_->text = std::make_shared<const SourceText>(std::move(text));
-  state_->snapshot.reset();
+void Document::set_text(std::string_view text) {
+  const std::string old = state_->engine.text.bytes();
+  const auto front = std::ranges::mismatch(old, text);
+  const auto begin = static_cast<uint32_t>(front.in1 - old.begin());
+  const auto back = std::mismatch(old.rbegin(), old.rend() - begin, text.rbegin(), text.rend() - begin);
+  const auto same_behind = static_cast<uint32_t>(back.first - old.rbegin());
+  replace({begin, static_cast<uint32_t>(old.size()) - same_behind},
+          text.substr(begin, text.size() - same_behind - begin));
 }
 
 const SourceText& Document::text() const {
-  return *state_->text;
+  return state_->engine.text;
 }
 
 const Snapshot& Document::snapshot() {
-  if (!state_->snapshot) {
-    state_->analysed = analyse(state_->text, state_->names, state_->analysed.get());
-    state_->snapshot.emplace(state_->analysed);
-  }
+  if (!state_->is_current) state_->bring_up_to_date();
   return *state_->snapshot;
+}
+
+void Document::prepare_for_edits() {
+  snapshot();
+  if (state_->engine.lists_users) return;
+  list_users(state_->engine);
+  state_->name_index = NameIndex(state_->engine.occurrences);
+  state_->publish();
 }
 
 }  // namespace texbrdf

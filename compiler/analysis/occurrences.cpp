@@ -9,45 +9,73 @@ namespace {
 /// Reads the names of one definition.
 class NameReader {
  public:
-  NameReader(const Snapshot& snapshot, DefinitionId id)
-      : snapshot_(snapshot), id_(id), definition_(snapshot.definition(id)), syntax_(snapshot.syntax(id)) {}
+  NameReader(const Snapshot::State& state, const LocatedDefinition& definition)
+      : state_(state), definition_(definition), parsed_(definition.at.parsed()), syntax_(definition.syntax()) {}
 
   uint32_t begin() const { return syntax_.first_node; }
   uint32_t end() const { return syntax_.node.value; }
 
-  NameId name(uint32_t node) const { return snapshot_.blocks()[definition_.block.value].names->by_node[node]; }
-  const Referent& referent(uint32_t node) const { return definition_.checked->referents[node - syntax_.first_node]; }
-  Span relative(uint32_t node) const { return snapshot_.parsed(definition_.block).span(NodeId{node}); }
+  NameId name(uint32_t node) const { return definition_.at.block->analysed->names.by_node[node]; }
+  const Referent& referent(uint32_t node) const { return definition_.checked().referents[node - syntax_.first_node]; }
+  Span relative(uint32_t node) const { return parsed_.span(NodeId{node}); }
 
   Occurrence occurrence(uint32_t node) const {
     Occurrence found;
-    found.span = snapshot_.absolute(definition_.block, relative(node));
+    const Span span = relative(node);
+    found.span = {definition_.at.offset + span.begin, definition_.at.offset + span.end};
     found.node = NodeId{node};
-    found.block = definition_.block;
+    found.block = definition_.at.id;
     found.name = name(node);
-    found.inside = id_;
+    found.inside = definition_.id();
     found.referent = referent(node);
     found.is_definition = node <= syntax_.left.value;
     if (found.node == syntax_.name) {
-      found.target = id_;
+      found.target = definition_.id();
     } else if (found.referent.kind == Referent::Kind::Definition) {
-      found.target = snapshot_.find(found.name).value_or(DefinitionId{});
+      const std::optional<DefinitionKey> target = state_.find(found.name);
+      if (target) found.target = state_.locate(*target).id();
     }
     return found;
   }
 
  private:
-  const Snapshot& snapshot_;
-  DefinitionId id_;
-  const Definition& definition_;
+  const Snapshot::State& state_;
+  const LocatedDefinition& definition_;
+  const ParsedBlock& parsed_;
   const DefinitionSyntax& syntax_;
 };
 
-bool may_hold(const Snapshot& snapshot, DefinitionId id, const Occurrence& wanted) {
-  if (wanted.referent.kind == Referent::Kind::Parameter) return id == wanted.inside;
-  const Definition& definition = snapshot.definition(id);
-  return definition.name == wanted.name ||
-         std::ranges::find(definition.checked->mentioned, wanted.name) != definition.checked->mentioned.end();
+/// The blocks that may hold a name, in document order.
+std::vector<LocatedBlock> blocks_with(const Snapshot::State& state, NameId name) {
+  std::vector<LocatedBlock> blocks;
+  if (!state.lists_users) {
+    state.segments.visit_from(0, [&](const Segment& segment, const Segment::Measure& before) {
+      if (segment.block)
+        blocks.push_back({segment.block.get(), BlockId{before.blocks}, before.bytes, before.definitions});
+      return true;
+    });
+    return blocks;
+  }
+  const NameOccurrences& occurrences = *state.name_index.at(name.value).item;
+  std::vector<BlockLabel> labels;
+  occurrences.definitions.visit_from(0, [&](const DefinitionKey& key, const DefinitionKey&) {
+    labels.push_back(key.block);
+    return true;
+  });
+  occurrences.users.visit_from(0, [&](const UserKey& key, const UserKey&) {
+    labels.push_back(key.block);
+    return true;
+  });
+  std::ranges::sort(labels);
+  const auto repeated = std::ranges::unique(labels);
+  labels.erase(repeated.begin(), repeated.end());
+  for (BlockLabel label : labels) blocks.push_back(state.locate(label));
+  return blocks;
+}
+
+bool may_hold(const LocatedDefinition& definition, NameId name) {
+  const std::span<const NameId> mentions = definition.at.block->analysed->mentions_of(definition.index_in_block);
+  return definition.name() == name || std::ranges::find(mentions, name) != mentions.end();
 }
 
 // A name that refers to nothing is the same as any other that is spelled so.
@@ -58,13 +86,14 @@ bool is_same_thing(const Occurrence& wanted, NameId name, const Referent& refere
 }  // namespace
 
 std::optional<Occurrence> Snapshot::occurrence_at(uint32_t offset) const {
-  const std::optional<BlockId> block = block_at(offset);
-  if (!block) return std::nullopt;
-  const uint32_t relative = offset - state_->blocks[block->value].offset;
-  const DefinitionRange definitions = definitions_of(*block);
+  const std::optional<BlockId> id = block_at(offset);
+  if (!id) return std::nullopt;
+  const LocatedBlock block = state_->locate(*id);
+  const uint32_t relative = offset - block.offset;
   std::optional<Occurrence> touched;
-  for (uint32_t id = definitions.first.value; id < definitions.end.value; ++id) {
-    const NameReader reader(*this, DefinitionId{id});
+  for (uint32_t i = 0; i < block.block->definitions.size(); ++i) {
+    const LocatedDefinition definition{block, i};
+    const NameReader reader(*state_, definition);
     for (uint32_t node = reader.begin(); node < reader.end(); ++node) {
       if (!reader.name(node).valid() || !reader.relative(node).touches(relative)) continue;
       const bool is_inside = relative < reader.relative(node).end;
@@ -77,12 +106,21 @@ std::optional<Occurrence> Snapshot::occurrence_at(uint32_t offset) const {
 
 std::vector<Occurrence> Snapshot::occurrences_of(const Occurrence& occurrence) const {
   std::vector<Occurrence> found;
-  for (uint32_t id = 0; id < state_->definitions.size(); ++id) {
-    if (!may_hold(*this, DefinitionId{id}, occurrence)) continue;
-    const NameReader reader(*this, DefinitionId{id});
+  const auto read = [&](const LocatedDefinition& definition) {
+    const NameReader reader(*state_, definition);
     for (uint32_t node = reader.begin(); node < reader.end(); ++node) {
       if (!reader.name(node).valid()) continue;
       if (is_same_thing(occurrence, reader.name(node), reader.referent(node))) found.push_back(reader.occurrence(node));
+    }
+  };
+  if (occurrence.referent.kind == Referent::Kind::Parameter) {
+    read(state_->locate(occurrence.inside));
+    return found;
+  }
+  for (const LocatedBlock& block : blocks_with(*state_, occurrence.name)) {
+    for (uint32_t i = 0; i < block.block->definitions.size(); ++i) {
+      const LocatedDefinition definition{block, i};
+      if (may_hold(definition, occurrence.name)) read(definition);
     }
   }
   return found;

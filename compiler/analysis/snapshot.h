@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "diagnostics/diagnostic.h"
@@ -50,6 +51,7 @@ struct Definition {
   uint32_t index_in_block = 0;
   NameId name;
   bool in_force = true;  ///< false for a later definition of a name
+  bool is_used = false;  ///< it is in force, and something mentions its name
   std::shared_ptr<const CheckedDefinition> checked;
 };
 
@@ -65,29 +67,72 @@ struct Occurrence {
   bool is_definition = false;  ///< it stands on the left side (the defined name, or a parameter's declaration)
 };
 
+class Snapshot;
+
+/// The blocks or the definitions of a Snapshot in document order, given out one by one.
+template <typename Value, typename Id>
+class SnapshotRange {
+ public:
+  class Iterator {
+   public:
+    Iterator(const Snapshot& snapshot, uint32_t index) : snapshot_(&snapshot), index_(index) {}
+    Value operator*() const;
+    Iterator& operator++() {
+      ++index_;
+      return *this;
+    }
+    friend bool operator==(const Iterator& a, const Iterator& b) { return a.index_ == b.index_; }
+
+   private:
+    const Snapshot* snapshot_;
+    uint32_t index_;
+  };
+
+  SnapshotRange(const Snapshot& snapshot, uint32_t size) : snapshot_(snapshot), size_(size) {}
+  uint32_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  Value operator[](uint32_t index) const { return *Iterator(snapshot_, index); }
+  Iterator begin() const;
+  Iterator end() const { return Iterator(snapshot_, size_); }
+
+ private:
+  const Snapshot& snapshot_;
+  uint32_t size_;
+};
+
 /// A document as it is at one version: text, blocks, definitions, types. Immutable; the facade that everything outside
 /// the compiler uses. All spans given out are absolute byte ranges of `text()` unless said otherwise.
 class Snapshot {
  public:
   const SourceText& text() const;
-  std::span<const Block> blocks() const;
-  std::span<const Definition> definitions() const;
-  const Definition& definition(DefinitionId id) const;
+  SnapshotRange<Block, BlockId> blocks() const;
+  SnapshotRange<Definition, DefinitionId> definitions() const;
+  Block block(BlockId id) const;
+  Definition definition(DefinitionId id) const;
   const DefinitionSyntax& syntax(DefinitionId id) const;
   const ParsedBlock& parsed(BlockId id) const;
+  const BlockNames& names_of(BlockId id) const;
   /// The last block that starts at or before the offset.
   std::optional<BlockId> block_at(uint32_t offset) const;
   DefinitionRange definitions_of(BlockId id) const;
   const NameTable& names() const;
+  /// The same table; a Document keeps it across edits as long as it can.
+  std::shared_ptr<const NameTable> shared_names() const;
   Counters counters() const;
 
   /// The absolute range of a location.
   Span absolute(const Location& location) const;
   Span absolute(BlockId block, Span relative) const;
 
+  /// The canonical name of the definition that is the BRDF: the one that `% texbrdf: root = …` names, else the one that
+  /// looks like it (root_choice.h); `f` where there is none.
+  std::string root_name() const;
+  /// False where nothing in the document looks like a BRDF and no comment `% texbrdf:` stands in it.
+  bool is_ours() const;
+
   /// In document order; what depends on the whole document (nearest names, redefinitions, cycles, the root) is added
-  /// here. The root is `root_name`.
-  std::vector<Diagnostic> diagnostics(std::string_view root_name = "f") const;
+  /// here. Errors and warnings about definitions that the root does not need are hints. Empty `root`: root_name().
+  std::vector<Diagnostic> diagnostics(std::string_view root = {}) const;
   bool has_errors() const;
 
   /// The definition in force.
@@ -99,15 +144,19 @@ class Snapshot {
   /// All occurrences of the same thing, in document order, with its declaration.
   std::vector<Occurrence> occurrences_of(const Occurrence& occurrence) const;
 
-  /// The value of a plain definition that depends on no direction; nothing where it has none.
+  /// The value of a plain definition that depends on no direction; nothing where it has none, or where it needs more
+  /// than 200 other names.
   std::optional<std::vector<double>> constant_value(DefinitionId id) const;
   /// The equation's source on one line, white space folded.
   std::string equation(DefinitionId id) const;
 
   /// What the linker needs of a definition; nullptr where it is not usable.
   const ir::LinkableDefinition* linkable(NameId name) const;
-  /// Everything that a root needs (default `f`), or why it cannot be had, in one line for a person.
-  Result<ir::Program> program(std::string_view root = "f", const ir::LinkOptions& options = {}) const;
+  /// Everything that a root needs, or why it cannot be had, in one line for a person. Empty `root`: root_name().
+  Result<ir::Program> program(std::string_view root = {}, const ir::LinkOptions& options = {}) const;
+
+  /// Makes going through all blocks or definitions cheap; `blocks` and `definitions` do it when they are gone through.
+  void list_all() const;
 
   struct State;
   explicit Snapshot(std::shared_ptr<const State> state);
@@ -115,5 +164,20 @@ class Snapshot {
  private:
   std::shared_ptr<const State> state_;
 };
+
+template <typename Value, typename Id>
+Value SnapshotRange<Value, Id>::Iterator::operator*() const {
+  if constexpr (std::is_same_v<Id, BlockId>) {
+    return snapshot_->block(Id{index_});
+  } else {
+    return snapshot_->definition(Id{index_});
+  }
+}
+
+template <typename Value, typename Id>
+typename SnapshotRange<Value, Id>::Iterator SnapshotRange<Value, Id>::begin() const {
+  snapshot_.list_all();
+  return Iterator(snapshot_, 0);
+}
 
 }  // namespace texbrdf

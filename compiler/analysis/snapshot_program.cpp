@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <unordered_set>
 
 #include "analysis/snapshot_state.h"
 #include "ir/lower.h"
@@ -9,14 +10,13 @@
 namespace texbrdf {
 namespace {
 
-ir::LinkableDefinition make_linkable(const Snapshot::State& state, uint32_t index) {
-  const ListedDefinition& listed = state.list.definitions[index];
-  const AnalysedBlock& block = *state.placed[listed.block].block;
-  const DefinitionSyntax& syntax = block.parsed.definitions[listed.index_in_block];
-  const CheckedDefinition& checked = state.checked.records[index]->checked;
+ir::LinkableDefinition make_linkable(const LocatedDefinition& definition) {
+  const AnalysedBlock& block = *definition.at.block->analysed;
+  const DefinitionSyntax& syntax = definition.syntax();
+  const CheckedDefinition& checked = definition.checked();
 
   ir::LinkableDefinition linkable;
-  linkable.id = listed.name;
+  linkable.id = definition.name();
   linkable.name = read_name(block.parsed, syntax.name);
   linkable.canonical = canonical_form(linkable.name);
   linkable.signature = checked.signature;
@@ -77,15 +77,36 @@ std::optional<std::vector<double>> constant_of(const ir::Graph& graph, ir::Value
   return numbers;
 }
 
+// Values are shown while somebody waits for them.
+constexpr size_t kMostDefinitions = 200;
+
+bool needs_few(const Snapshot::State& state, NameId root) {
+  std::unordered_set<uint32_t> needed = {root.value};
+  std::vector<NameId> waiting = {root};
+  while (!waiting.empty()) {
+    const std::optional<DefinitionKey> key = state.find(waiting.back());
+    waiting.pop_back();
+    if (!key) continue;
+    for (NameId name : state.locate(*key).at.block->analysed->mentions_of(key->index_in_block)) {
+      if (needed.insert(name.value).second) waiting.push_back(name);
+    }
+    if (needed.size() > kMostDefinitions) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 const ir::LinkableDefinition* Snapshot::linkable(NameId name) const {
-  const uint32_t index = state_->list.find(name);
-  if (index == kNoDefinition || !state_->checked.records[index]->checked.usable) return nullptr;
-  return &state_->checked.records[index]->linkable([&] { return make_linkable(*state_, index); });
+  const std::optional<DefinitionKey> key = state_->find(name);
+  if (!key) return nullptr;
+  const LocatedDefinition definition = state_->locate(*key);
+  if (!definition.checked().usable) return nullptr;
+  return &definition.placed().record->linkable([&] { return make_linkable(definition); });
 }
 
-Result<ir::Program> Snapshot::program(std::string_view root, const ir::LinkOptions& options) const {
+Result<ir::Program> Snapshot::program(std::string_view wanted, const ir::LinkOptions& options) const {
+  const std::string root = wanted.empty() ? root_name() : std::string(wanted);
   const std::optional<DefinitionId> id = find(root);
   if (!id) return Failure{"no equation defines " + quoted(root)};
   const Definition& found = definition(*id);
@@ -100,7 +121,9 @@ Result<ir::Program> Snapshot::program(std::string_view root, const ir::LinkOptio
 
 std::optional<std::vector<double>> Snapshot::constant_value(DefinitionId id) const {
   const Definition& wanted = definition(id);
-  if (!wanted.in_force || !wanted.checked->usable || wanted.checked->signature.is_function) return std::nullopt;
+  const CheckedDefinition& checked = *wanted.checked;
+  const bool may_be_constant = wanted.in_force && checked.usable && !checked.directional;
+  if (!may_be_constant || checked.signature.is_function || !needs_few(*state_, wanted.name)) return std::nullopt;
   const Result<ir::Program> program = ir::link([this](NameId name) { return linkable(name); }, wanted.name, {});
   if (!program) return std::nullopt;
   const Result<ir::Graph> flat = ir::flatten(*program);

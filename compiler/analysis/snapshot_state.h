@@ -1,35 +1,81 @@
 #pragma once
 
+#include <atomic>
+#include <memory>
 #include <mutex>
 
-#include "analysis/block_list.h"
-#include "analysis/check_document.h"
-#include "analysis/definition_list.h"
+#include "analysis/engine_state.h"
 #include "analysis/snapshot.h"
+#include "analysis/suggestions.h"
 
 namespace texbrdf {
 
-/// What a Snapshot shares with the Document for the next edit.
+/// A block and where it stands.
+struct LocatedBlock {
+  const PlacedBlock* block = nullptr;
+  BlockId id;
+  uint32_t offset = 0;
+  uint32_t first_definition = 0;
+
+  const ParsedBlock& parsed() const { return block->analysed->parsed; }
+};
+
+/// A definition and where it stands.
+struct LocatedDefinition {
+  LocatedBlock at;
+  uint32_t index_in_block = 0;
+
+  const PlacedDefinition& placed() const { return at.block->definitions[index_in_block]; }
+  const CheckedDefinition& checked() const { return placed().record->checked; }
+  const DefinitionSyntax& syntax() const { return at.parsed().definitions[index_in_block]; }
+  NameId name() const { return at.block->analysed->defined(index_in_block); }
+  DefinitionId id() const { return {at.first_definition + index_in_block}; }
+  Location name_place() const { return {.file = {}, .block = at.id, .span = at.parsed().span(syntax().name)}; }
+};
+
+/// A diagnostic and the name whose definition it is about, if any.
+struct Report {
+  Diagnostic diagnostic;
+  NameId about;
+};
+
+/// What a Snapshot holds: the part of the engine's state that does not change any more.
 struct Snapshot::State {
-  std::shared_ptr<const SourceText> text;
+  SourceText text;
+  SegmentSequence segments;
   std::shared_ptr<const NameTable> names;
-  std::vector<PlacedBlock> placed;
-  DefinitionList list;
-  CheckedDocument checked;
-  std::vector<Block> blocks;
-  std::vector<Definition> definitions;
+  NameIndex name_index;
+  bool lists_users = false;
+  std::shared_ptr<const std::vector<Cycle>> cycles;
+  std::shared_ptr<NameSuggestions> suggestions;
   Counters counters;
 
-  mutable std::once_flag diagnostics_once;
-  mutable std::vector<Diagnostic> diagnostics;  ///< without what concerns the root, in document order
+  RootChoice root;
 
-  uint32_t first_definition(uint32_t block) const { return block == 0 ? 0 : list.block_ends[block - 1]; }
+  mutable std::once_flag reports_once;
+  mutable std::vector<Report> reports;  ///< without what concerns the root, in document order
+
+  /// All blocks, and by DefinitionId the block: listed when all are gone through.
+  struct AllBlocks {
+    std::vector<LocatedBlock> blocks;
+    std::vector<uint32_t> block_of;
+  };
+  mutable std::once_flag all_once;
+  mutable std::unique_ptr<const AllBlocks> all_blocks;
+  mutable std::atomic<const AllBlocks*> listed = nullptr;
+
+  LocatedBlock locate(BlockId id) const;
+  LocatedDefinition locate(DefinitionId id) const;
+  LocatedBlock locate(BlockLabel label) const;
+  LocatedDefinition locate(const DefinitionKey& key) const { return {locate(key.block), key.index_in_block}; }
+  /// The definition in force.
+  std::optional<DefinitionKey> find(NameId name) const;
 };
 
 /// What is wrong with the document, whatever its root; the suggestions that need all its names included.
-std::vector<Diagnostic> document_diagnostics(const Snapshot::State& state);
-/// What is wrong with the root: it is missing, or no BRDF.
-std::optional<Diagnostic> root_diagnostic(const Snapshot::State& state, std::string_view root);
+std::vector<Report> document_reports(const Snapshot::State& state);
+/// All that is wrong when `root` (canonical) is the BRDF.
+std::vector<Diagnostic> diagnostics_for_root(const Snapshot::State& state, std::string_view root);
 /// True for ℝ and ℝ³, plain or as a function of two vectors.
 bool is_brdf(const Signature& signature);
 

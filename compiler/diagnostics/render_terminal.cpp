@@ -72,7 +72,7 @@ class TerminalRenderer {
   void write_excerpt(const Place& place, std::string_view colour) {
     const SourceText& text = *place.text;
     const uint32_t line_number = text.position(place.span.begin, ColumnUnit::Utf8).line;
-    const std::string_view line = text.line(line_number);
+    const std::string line = text.line(line_number);
     const auto length = static_cast<uint32_t>(line.size());
     const uint32_t line_start = text.line_start(line_number);
     const uint32_t begin = std::min(place.span.begin - line_start, length);
@@ -80,7 +80,7 @@ class TerminalRenderer {
     const Span window = window_around(line, begin, end);
 
     if (line_number > 0) {
-      const std::string_view before = text.line(line_number - 1);
+      const std::string before = text.line(line_number - 1);
       out_ += excerpt(before, window_around(before, 0, 0)) + "\n";
     }
     const std::string lead = excerpt(line, {window.begin, begin});

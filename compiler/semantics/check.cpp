@@ -118,11 +118,27 @@ class DefinitionCheck {
     const bool is_sound = view_.syntax.readable && !has_error(checked_.diagnostics);
     if (is_sound) signature.result = checked_.types[view_.slot(view_.syntax.body)];
     checked_.usable = signature.result != Type::Error;
+    if (checked_.usable) hint_unused_parameters();
     checked_.referents = std::move(body_.referents);
     write_left_types();
     if (checked_.diagnostics.size() > kMaxReports) checked_.diagnostics.resize(kMaxReports, checked_.diagnostics[0]);
     const bool may_have_range = checked_.usable && !view_.block.comments.empty();
     if (may_have_range) parameter_literal(view_.block, view_.syntax, checked_.diagnostics);
+  }
+
+  // Directions are what a BRDF takes, whether it needs them or not.
+  void hint_unused_parameters() {
+    std::vector<bool> is_used(checked_.parameters.size());
+    for (uint32_t node = view_.body_begin(); node < view_.body_end(); ++node) {
+      const Referent& referent = body_.referents[view_.slot(NodeId{node})];
+      if (referent.kind == Referent::Kind::Parameter) is_used[referent.index] = true;
+    }
+    for (size_t i = 0; i < is_used.size(); ++i) {
+      const CheckedParameter& parameter = checked_.parameters[i];
+      if (is_used[i] || !parameter.shadowed.empty() || !parameter.name.valid()) continue;
+      checked_.diagnostics.push_back(
+          make_diagnostic(Code::UnusedParameter, view_.at(parameter.node), {view_.name_text(parameter.node)}));
+    }
   }
 
   void write_left_types() {

@@ -15,7 +15,8 @@ namespace texbrdf {
 struct NameFact {
   enum class Kind : uint8_t { Absent, Defined };
   Kind kind = Kind::Absent;
-  Signature signature;  ///< of the first definition; with Type::Error parts where it is in error itself
+  Signature signature;       ///< of the first definition; with Type::Error parts where it is in error itself
+  bool directional = false;  ///< as CheckedDefinition::directional
   friend bool operator==(const NameFact&, const NameFact&) = default;
 };
 
@@ -52,6 +53,8 @@ struct CheckedDefinition {
   std::vector<Referent> referents;
   std::vector<Diagnostic> diagnostics;  ///< spans relative to the block, Location::block not set
   std::vector<NameId> mentioned;        ///< names that the body asked facts for, each once, in order of first use
+  /// True where its value changes with a direction or an angle of the convention.
+  bool directional = false;
   /// True where nothing in the definition is in error and all that it uses is usable: it can be lowered.
   bool usable = false;
 };

@@ -1,5 +1,6 @@
 #include "semantics/conventions.h"
 
+#include <algorithm>
 #include <array>
 
 namespace texbrdf {
@@ -73,6 +74,12 @@ std::span<const ConventionEntry> conventions() {
 
 const ConventionEntry& convention_entry(Convention id) {
   return conventions()[static_cast<size_t>(id)];
+}
+
+bool depends_on(Convention convention, std::span<const Convention> others) {
+  if (std::ranges::find(others, convention) != others.end()) return true;
+  const auto& operands = convention_entry(convention).operands;
+  return std::ranges::any_of(operands, [&](Convention operand) { return depends_on(operand, others); });
 }
 
 std::optional<Convention> find_convention(std::string_view canonical) {

@@ -29,6 +29,8 @@ struct ConventionEntry {
 
 const ConventionEntry& convention_entry(Convention id);
 std::span<const ConventionEntry> conventions();
+/// It is one of the others, or its value is made of one of them.
+bool depends_on(Convention convention, std::span<const Convention> others);
 /// By the canonical form of a name.
 std::optional<Convention> find_convention(std::string_view canonical);
 

@@ -35,6 +35,10 @@ std::string_view without_vec(std::string_view canonical) {
 
 }  // namespace
 
+std::span<const std::string_view> greek_letters() {
+  return kGreekLetters;
+}
+
 bool is_greek_letter(std::string_view word) {
   return std::ranges::find(kGreekLetters, word) != kGreekLetters.end();
 }
@@ -48,6 +52,7 @@ NameTraits name_traits(std::string_view canonical) {
   traits.convention = find_convention(canonical);
   const bool is_direction = traits.convention == Convention::OmegaI || traits.convention == Convention::OmegaO;
   traits.is_vector = canonical.starts_with(kVec) || is_direction;
+  traits.may_be_brdf = canonical == "f" || canonical.starts_with("f_");
   const std::string_view base = without_vec(canonical);
   if (!base.starts_with('\\')) {
     traits.is_reserved = is_reserved_word(leading_letters(base));

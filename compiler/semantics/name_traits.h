@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "semantics/conventions.h"
@@ -12,10 +13,13 @@ struct NameTraits {
   std::optional<Convention> convention;
   bool is_vector = false;           ///< a parameter of this name is ℝ³ by its spelling
   bool is_reserved = false;         ///< `exp`, `max` … without backslash
+  bool may_be_brdf = false;         ///< `f`, `f_r`, `f_{…}`: a name that papers give to a BRDF
   bool is_foreign_command = false;  ///< a `\word` that is neither a Greek letter nor a convention
 };
 
 NameTraits name_traits(std::string_view canonical);
+/// Without their backslashes.
+std::span<const std::string_view> greek_letters();
 bool is_greek_letter(std::string_view word_without_backslash);
 bool is_reserved_word(std::string_view word);
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,6 +39,10 @@ Name read_name(const ParsedBlock& block, NodeId id);
 /// Equal for equal names, and itself a valid spelling of the name: `\phi_{\text{diff}}`, `x_1`, `\vec{n}`. The
 /// spellings of one convention are one name: `\vec{\omega_i}` gives `\omega_i`.
 std::string canonical_form(const Name& name);
+
+/// The canonical form of a name as a person types it: `x_{1}` gives `x_1`, `\vec{n}` gives `\vec{n}`. Nothing where it
+/// is no name.
+std::optional<std::string> canonical_name(std::string_view spelling);
 
 /// A name as messages show it: the end of a very long one is left out.
 std::string shown_name(std::string_view canonical);

@@ -1,10 +1,27 @@
 #include "semantics/resolve.h"
 
 #include "semantics/name_spelling.h"
+#include "semantics/nearest_name.h"
 #include "semantics/small_name_map.h"
 
 namespace texbrdf {
 namespace {
+
+/// The commands that an unknown one may be a misspelling of.
+const NearestName& known_commands() {
+  static const NearestName all = [] {
+    NearestName commands;
+#define COMMAND(name, spelling, category) commands.add("\\" spelling);
+#include "syntax/commands.def"
+#undef COMMAND
+    for (std::string_view letter : greek_letters()) commands.add("\\" + std::string(letter));
+    return commands;
+  }();
+  return all;
+}
+
+// Steps of comparing names for the unknown commands of one definition; those beyond it get no suggestion.
+constexpr uint64_t kMaxComparisonSteps = 200'000;
 
 class Resolver {
  public:
@@ -68,12 +85,14 @@ class Resolver {
     }
     mentioned_.insert(name);
     if (const NameFact& fact = view_.facts.fact(name); fact.kind == NameFact::Kind::Defined) {
+      checked_.directional = checked_.directional || fact.directional;
       refer(node, {Referent::Kind::Definition, name.value}, fact.signature.result, fact.signature.is_function);
       return;
     }
     const NameTraits& traits = view_.table.traits(name);
     if (traits.convention) {
       const auto index = static_cast<uint32_t>(*traits.convention);
+      if (!convention_constant(*traits.convention)) checked_.directional = true;
       refer(node, {Referent::Kind::Convention, index}, convention_entry(*traits.convention).type, false);
       return;
     }
@@ -87,7 +106,7 @@ class Resolver {
     if (is_callee == is_function) {
       body_.leaves[slot] = type;
     } else if (is_callee) {
-      report(Code::NotAFunction, node);
+      report_not_a_function(node);
     } else {
       report(Code::FunctionAsValue, node);
     }
@@ -97,7 +116,7 @@ class Resolver {
     if (traits.is_reserved) {
       report_reserved(node);
     } else if (traits.is_foreign_command) {
-      report(Code::UnknownCommand, node);
+      report_unknown_command(node);
       skip_groups_behind(view_.node(node).end_token);
     } else {
       checked_.diagnostics.push_back(
@@ -121,6 +140,23 @@ class Resolver {
     checked_.diagnostics.back().related.push_back({view_.at(first), "first here"});
   }
 
+  void report_not_a_function(NodeId node) {
+    report(Code::NotAFunction, node);
+    const uint32_t begin = view_.token(view_.node(node).end_token).span.begin;
+    const Location before{.file = {}, .block = {}, .span = {begin, begin}};
+    checked_.diagnostics.back().fixes.push_back({.title = "insert `*`", .edits = {{before, "*"}}});
+  }
+
+  void report_unknown_command(NodeId node) {
+    report(Code::UnknownCommand, node);
+    uint32_t command = view_.node(node).first_token;
+    while (view_.token(command).kind != TokenKind::Macro && command + 1 < view_.node(node).end_token) ++command;
+    const auto nearest = known_commands().find(view_.block.token_text(command), comparison_steps_);
+    if (!nearest) return;
+    Fix fix{.title = "replace by `" + *nearest + "`", .edits = {{view_.at_token(command), *nearest}}};
+    checked_.diagnostics.back().fixes.push_back(std::move(fix));
+  }
+
   void report_reserved(NodeId node) {
     uint32_t word = view_.node(node).first_token;
     while (view_.token(word).kind != TokenKind::Word) ++word;
@@ -138,6 +174,7 @@ class Resolver {
   SmallNameMap parameter_names_;
   std::vector<uint32_t> parameter_positions_;  // of each name's first parameter
   SmallNameMap mentioned_;
+  uint64_t comparison_steps_ = kMaxComparisonSteps;
 };
 
 }  // namespace

@@ -7,88 +7,125 @@
 namespace texbrdf {
 namespace {
 
-std::vector<uint32_t> find_line_starts(std::string_view bytes) {
-  std::vector<uint32_t> starts = {0};
-  const char* const data = bytes.data();
-  const size_t size = bytes.size();
-  for (size_t i = 0; i < size; ++i) {
-    if (data[i] > '\r') continue;
-    const bool line_feed = data[i] == '\n';
-    const bool lone_return = data[i] == '\r' && !(i + 1 < size && data[i + 1] == '\n');
-    if (line_feed || lone_return) starts.push_back(static_cast<uint32_t>(i + 1));
-  }
-  return starts;
+constexpr size_t kChunkBytes = 1024;
+// A code point has at most four bytes: whether a cut is right depends on three on either side.
+constexpr uint32_t kCutContext = 4;
+
+bool is_continuation(char c) {
+  return (static_cast<unsigned char>(c) & 0xc0) == 0x80;
 }
 
-/// Columns that the code point takes: UTF-16 needs two units beyond the basic plane (four bytes of UTF-8).
-uint32_t columns_of(CodePoint code_point, ColumnUnit unit) {
-  switch (unit) {
-    case ColumnUnit::Utf8:
-      return code_point.size;
-    case ColumnUnit::Utf16:
-      return code_point.size == 4 ? 2 : 1;
-    case ColumnUnit::CodePoint:
-      return 1;
+/// True where no code point and no line ending would be cut in two.
+bool can_cut(std::string_view text, size_t at) {
+  if (text[at - 1] == '\r' && text[at] == '\n') return false;
+  if (!is_continuation(text[at])) return true;
+  for (size_t back = 1; back < kCutContext && back <= at; ++back) {
+    if (!is_continuation(text[at - back])) return code_point_at_front(text.substr(at - back)).size <= back;
   }
-  return 1;
+  return true;
 }
 
-struct LineWalk {
-  uint32_t bytes = 0;
-  uint32_t columns = 0;
-};
-
-/// Walks whole code points of the line as long as neither limit is passed.
-LineWalk walk(std::string_view line, uint32_t max_bytes, uint32_t max_columns, ColumnUnit unit) {
-  LineWalk at;
-  while (at.bytes < line.size()) {
-    const bool ascii = static_cast<unsigned char>(line[at.bytes]) < 0x80;
-    const CodePoint next = ascii ? CodePoint{} : code_point_at_front(line.substr(at.bytes));
-    const uint32_t columns = columns_of(next, unit);
-    if (at.bytes + next.size > max_bytes || at.columns + columns > max_columns) break;
-    at.bytes += next.size;
-    at.columns += columns;
+std::vector<TextChunk> cut(std::string_view text) {
+  std::vector<TextChunk> chunks;
+  chunks.reserve(text.size() / kChunkBytes + 1);
+  while (!text.empty()) {
+    size_t size = std::min(text.size(), kChunkBytes);
+    // What is left is not cut where it would leave next to nothing.
+    if (text.size() < kChunkBytes + kChunkBytes / 2) size = text.size();
+    while (size < text.size() && !can_cut(text, size)) --size;
+    chunks.emplace_back(text.substr(0, size));
+    text.remove_prefix(size);
   }
-  return at;
+  return chunks;
 }
 
 }  // namespace
 
-SourceText::SourceText(std::string bytes) : bytes_(std::move(bytes)) {
-  if (bytes_.size() > kMaxBytes) bytes_.resize(kMaxBytes);
-  line_starts_ = find_line_starts(bytes_);
+SourceText::SourceText(std::string_view bytes)
+    : chunks_(std::span<const TextChunk>(cut(bytes.substr(0, std::min<size_t>(bytes.size(), kMaxBytes))))) {}
+
+SourceText SourceText::with(Span span, std::string_view replacement) const {
+  const uint32_t context_begin = span.begin - std::min(span.begin, kCutContext);
+  const uint32_t context_end = span.end + std::min(size() - span.end, kCutContext);
+  const auto first = chunks_.find([&](const TextChunk::Measure& sum) { return sum.bytes >= context_begin; });
+  auto last = chunks_.find([&](const TextChunk::Measure& sum) { return sum.bytes > context_end; });
+  const uint32_t end = last.item != nullptr ? last.index + 1 : chunks_.size();
+  const uint32_t end_bytes = last.item != nullptr ? last.before.bytes + last.item->measure().bytes : size();
+
+  std::string text = slice({first.before.bytes, span.begin});
+  text.append(replacement).append(slice({span.end, end_bytes}));
+  SourceText changed;
+  changed.chunks_ = chunks_.with(first.index, end - first.index, cut(text));
+  return changed;
 }
 
-std::string_view SourceText::slice(Span span) const {
+std::string SourceText::slice(Span span) const {
   const uint32_t begin = std::min(span.begin, size());
   const uint32_t end = std::clamp(span.end, begin, size());
-  return bytes().substr(begin, end - begin);
-}
-
-std::string_view SourceText::line(uint32_t line) const {
-  if (line >= line_count()) return {};
-  const uint32_t begin = line_starts_[line];
-  const uint32_t end = line + 1 < line_count() ? line_starts_[line + 1] : size();
-  std::string_view text = bytes().substr(begin, end - begin);
-  if (text.ends_with('\n')) text.remove_suffix(1);
-  if (text.ends_with('\r')) text.remove_suffix(1);
+  std::string text;
+  text.reserve(end - begin);
+  const auto first = chunks_.find([&](const TextChunk::Measure& sum) { return sum.bytes > begin; });
+  chunks_.visit_from(first.index, [&](const TextChunk& chunk, const TextChunk::Measure& before) {
+    if (before.bytes >= end) return false;
+    const uint32_t from = std::max(begin, before.bytes) - before.bytes;
+    text += chunk.bytes().substr(from, end - before.bytes - from);
+    return true;
+  });
   return text;
 }
 
+uint32_t SourceText::line_start(uint32_t line) const {
+  if (line == 0) return 0;
+  const auto chunk = chunks_.find([&](const TextChunk::Measure& sum) { return sum.line_ends >= line; });
+  return chunk.before.bytes + chunk.item->line_starts()[line - chunk.before.line_ends - 1];
+}
+
+uint32_t SourceText::line_end(uint32_t line) const {
+  if (line + 1 >= line_count()) return size();
+  const uint32_t next = line_start(line + 1);
+  const std::string ending = slice({next - std::min(next, 2u), next});
+  return next - (ending == "\r\n" ? 2 : 1);
+}
+
+std::string SourceText::line(uint32_t line) const {
+  if (line >= line_count()) return {};
+  return slice({line_start(line), line_end(line)});
+}
+
+uint32_t SourceText::columns_before(uint32_t offset, ColumnUnit unit) const {
+  const auto chunk = chunks_.find([&](const TextChunk::Measure& sum) { return sum.bytes > offset; });
+  if (chunk.item == nullptr) return chunks_.measure().columns(unit);
+  return chunk.before.columns(unit) + chunk.item->columns_before(offset - chunk.before.bytes, unit);
+}
+
 Position SourceText::position(uint32_t offset, ColumnUnit unit) const {
+  if (chunks_.empty()) return {};
   const uint32_t at = std::min(offset, size());
-  const auto behind = std::upper_bound(line_starts_.begin(), line_starts_.end(), at);
-  const auto line_number = static_cast<uint32_t>(behind - line_starts_.begin()) - 1;
-  const uint32_t in_line = at - line_starts_[line_number];
-  if (unit == ColumnUnit::Utf8) {
-    return {line_number, std::min(in_line, static_cast<uint32_t>(line(line_number).size()))};
-  }
-  return {line_number, walk(line(line_number), in_line, UINT32_MAX, unit).columns};
+  auto chunk = chunks_.find([&](const TextChunk::Measure& sum) { return sum.bytes > at; });
+  if (chunk.item == nullptr) chunk = chunks_.at(chunks_.size() - 1);
+
+  uint32_t in_chunk = at - chunk.before.bytes;
+  const std::string_view bytes = chunk.item->bytes();
+  const bool is_inside_ending =
+      in_chunk > 0 && in_chunk < bytes.size() && bytes[in_chunk] == '\n' && bytes[in_chunk - 1] == '\r';
+  if (is_inside_ending) --in_chunk;
+
+  const std::vector<uint16_t>& starts = chunk.item->line_starts();
+  const auto behind = std::ranges::upper_bound(starts, in_chunk);
+  const uint32_t line = chunk.before.line_ends + static_cast<uint32_t>(behind - starts.begin());
+  const uint32_t columns = chunk.item->columns_before(in_chunk, unit);
+  if (behind != starts.begin()) return {line, columns - chunk.item->columns_before(*std::prev(behind), unit)};
+  return {line, chunk.before.columns(unit) + columns - columns_before(line_start(line), unit)};
 }
 
 uint32_t SourceText::offset(Position position, ColumnUnit unit) const {
   if (position.line >= line_count()) return size();
-  return line_starts_[position.line] + walk(line(position.line), UINT32_MAX, position.column, unit).bytes;
+  const uint32_t end = line_end(position.line);
+  const uint64_t columns = uint64_t{columns_before(line_start(position.line), unit)} + position.column;
+  const auto chunk = chunks_.find([&](const TextChunk::Measure& sum) { return sum.columns(unit) > columns; });
+  if (chunk.item == nullptr) return end;
+  const auto in_chunk = static_cast<uint32_t>(columns - chunk.before.columns(unit));
+  return std::min(end, chunk.before.bytes + chunk.item->bytes_of(in_chunk, unit));
 }
 
 }  // namespace texbrdf

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace texbrdf {
 namespace {
@@ -12,6 +13,10 @@ namespace {
 /// No name of an environment that matters here is longer; a `{` far from its `}` is no environment.
 constexpr size_t kLongestEnvironmentName = 64;
 
+/// Prose is cut into parts of about so many bytes.
+constexpr size_t kProseBytes = 4096;
+
+constexpr std::string_view kDirective = "texbrdf:";
 constexpr std::array<std::string_view, 2> kEquations = {"equation", "equation*"};
 constexpr std::array<std::string_view, 4> kRawEnvironments = {"verbatim", "verbatim*", "lstlisting", "comment"};
 
@@ -22,6 +27,10 @@ bool is_one_of(std::string_view name, const std::array<std::string_view, N>& nam
 
 bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+bool is_blank(char c) {
+  return c == ' ' || c == '\t';
 }
 
 bool is_line_end(char c) {
@@ -56,9 +65,9 @@ class NextCharacter {
   size_t searched_from_ = 0;
 };
 
-/// A `\begin{…}` or `\end{…}` that is no comment and no verbatim text.
+/// A `\begin{…}` or `\end{…}` that is no comment and no verbatim text; or a place where prose may be cut.
 struct Mark {
-  enum class Kind : uint8_t { Begin, End, DocumentEnd };
+  enum class Kind : uint8_t { Begin, End, DocumentEnd, Cut };
   Kind kind = Kind::DocumentEnd;
   Span span;
   std::string_view environment;
@@ -71,12 +80,20 @@ class MarkReader {
 
   void seek(size_t at) { at_ = at; }
 
-  Mark next() {
+  static constexpr size_t kNoCut = std::string_view::npos;
+
+  /// Stops at the first line that starts behind `cut_from`.
+  Mark next(size_t cut_from = kNoCut) {
     for (;;) {
       const size_t backslash = backslash_.from(at_);
       const size_t percent = percent_.from(at_);
+      if (const size_t cut = find_cut(cut_from, std::min(backslash, percent)); cut != kNoCut) {
+        at_ = cut;
+        return {Mark::Kind::Cut, span(cut, cut), {}};
+      }
       if (backslash == percent) break;  // both at the end
       if (percent < backslash) {
+        note_directive(percent);
         at_ = line_end(percent);
       } else if (const std::optional<Mark> mark = read_command(backslash)) {
         return *mark;
@@ -86,8 +103,46 @@ class MarkReader {
     return {Mark::Kind::DocumentEnd, span(at_, at_), {}};
   }
 
+  /// Comments `% texbrdf:` since they were last taken.
+  std::vector<Span> take_directives() { return std::exchange(directives_, {}); }
+  /// Where the lines of comments begin, the first of them a directive, that end right above `mark`; else its begin.
+  uint32_t with_directives(const Mark& mark) const {
+    return has_run_ && run_end_ == mark.span.begin ? run_begin_ : mark.span.begin;
+  }
+
  private:
   static Span span(size_t begin, size_t end) { return {static_cast<uint32_t>(begin), static_cast<uint32_t>(end)}; }
+
+  size_t find_cut(size_t cut_from, size_t end) const {
+    // A directive stays with the block below it.
+    const size_t from = std::max({cut_from, at_, size_t{run_end_}});
+    if (cut_from == kNoCut || from >= end) return kNoCut;
+    const size_t line_feed = text_.substr(0, end).find('\n', from);
+    return line_feed == std::string_view::npos ? kNoCut : line_feed + 1;
+  }
+
+  void note_directive(size_t percent) {
+    size_t word = percent + 1;
+    while (word < text_.size() && is_blank(text_[word])) ++word;
+    if (!text_.substr(word).starts_with(kDirective)) return;
+    directives_.push_back(span(percent, line_end(percent)));
+    if (has_run_ && percent < run_end_) return;
+    has_run_ = true;
+    run_begin_ = static_cast<uint32_t>(percent);
+    run_end_ = static_cast<uint32_t>(behind_comments(percent));
+  }
+
+  /// Behind the lines of comments from `percent` on and the blanks that the next line starts with.
+  size_t behind_comments(size_t percent) const {
+    size_t at = percent;
+    while (at < text_.size() && text_[at] == '%') {
+      at = line_end(at);
+      if (text_.substr(at).starts_with("\r\n")) ++at;
+      if (at < text_.size()) ++at;
+      while (at < text_.size() && is_blank(text_[at])) ++at;
+    }
+    return at;
+  }
 
   size_t line_end(size_t from) const {
     return static_cast<size_t>(
@@ -130,7 +185,7 @@ class MarkReader {
   /// Reads `{name}`; empty, and nothing is consumed, where there is none.
   std::string_view read_environment_name() {
     size_t open = at_;
-    while (open < text_.size() && (text_[open] == ' ' || text_[open] == '\t')) ++open;
+    while (open < text_.size() && is_blank(text_[open])) ++open;
     if (open >= text_.size() || text_[open] != '{') return {};
     const std::string_view rest = text_.substr(open + 1, kLongestEnvironmentName);
     const size_t size = rest.find_first_of("}{\\%\r\n");
@@ -160,6 +215,10 @@ class MarkReader {
   size_t at_ = 0;
   NextCharacter backslash_;
   NextCharacter percent_;
+  std::vector<Span> directives_;
+  bool has_run_ = false;
+  uint32_t run_begin_ = 0;
+  uint32_t run_end_ = 0;
 };
 
 /// Where the first line in [begin, end) starts that holds nothing but spaces.
@@ -173,7 +232,7 @@ std::optional<uint32_t> find_blank_line(std::string_view text, uint32_t begin, u
       if (c == '\r' && i + 1 < end && text[i + 1] == '\n') ++i;
       line_start = i + 1;
       at_line_start = true;
-    } else if (c != ' ' && c != '\t') {
+    } else if (!is_blank(c)) {
       at_line_start = false;
     }
   }
@@ -201,13 +260,15 @@ Terminator find_terminator(MarkReader& reader, std::string_view environment) {
         if (open_inside == 0) return {BlockEnd::WrongEnd, mark};
         --open_inside;
         break;
+      case Mark::Kind::Cut:
+        break;
     }
   }
 }
 
 constexpr uint32_t kEndTokenSize = 4;  // `\end`
 
-BlockExtent scan_block(MarkReader& reader, std::string_view document, const Mark& begin) {
+DocumentPart scan_block(MarkReader& reader, std::string_view document, uint32_t origin, const Mark& begin) {
   Terminator terminator = find_terminator(reader, begin.environment);
   uint32_t content_end = terminator.mark.span.begin;
   if (terminator.kind != BlockEnd::Closed) {
@@ -219,25 +280,93 @@ BlockExtent scan_block(MarkReader& reader, std::string_view document, const Mark
   const bool has_end = terminator.kind == BlockEnd::Closed || terminator.kind == BlockEnd::WrongEnd;
   const uint32_t whole_end = has_end ? terminator.mark.span.end : content_end;
   reader.seek(whole_end);
+  reader.take_directives();
 
-  const uint32_t origin = begin.span.begin;
   const Span content = {begin.span.end - origin, content_end - origin};
-  return {.whole = {origin, whole_end},
-          .begin = {0, content.begin},
-          .content = content,
-          .end = {content.end, content.end + (has_end ? kEndTokenSize : 0)},
-          .ended_by = terminator.kind};
+  const BlockExtent extent = {.whole = {origin, whole_end},
+                              .begin = {begin.span.begin - origin, content.begin},
+                              .content = content,
+                              .end = {content.end, content.end + (has_end ? kEndTokenSize : 0)},
+                              .ended_by = terminator.kind};
+  return {.begin = origin,
+          .size = whole_end - origin,
+          .reach = terminator.mark.span.end - origin,
+          .block = extent,
+          .directives = {}};
 }
 
 }  // namespace
 
+struct BlockScanner::Impl {
+  std::string_view text;
+  bool is_whole;
+  MarkReader reader;
+  uint32_t at = 0;
+  std::optional<Mark> found;  // what ended the prose before
+
+  std::optional<DocumentPart> read() {
+    if (at == text.size()) return std::nullopt;
+    const Mark mark = found ? *std::exchange(found, std::nullopt) : next_mark();
+    const bool is_block = mark.kind == Mark::Kind::Begin;
+    const uint32_t begin = is_block ? reader.with_directives(mark) : mark.span.begin;
+    if (begin > at) {
+      if (mark.kind != Mark::Kind::Cut) found = mark;
+      return prose(begin, mark.span.end);
+    }
+    return is_block ? scan_block(reader, text, at, mark) : epilogue(mark);
+  }
+
+  Mark next_mark() {
+    for (;;) {
+      const Mark mark = reader.next(at + kProseBytes);
+      const bool is_block = mark.kind == Mark::Kind::Begin && is_one_of(mark.environment, kEquations);
+      if (is_block || mark.kind == Mark::Kind::DocumentEnd || mark.kind == Mark::Kind::Cut) return mark;
+    }
+  }
+
+  DocumentPart prose(uint32_t end, uint32_t decided_at) {
+    DocumentPart part{.begin = at, .size = end - at, .reach = decided_at - at, .block = {}, .directives = {}};
+    for (Span directive : reader.take_directives()) {
+      if (directive.begin < end) part.directives.push_back({directive.begin - at, directive.end - at});
+    }
+    return part;
+  }
+
+  DocumentPart epilogue(const Mark& mark) const {
+    return {.begin = at,
+            .size = static_cast<uint32_t>(text.size()) - at,
+            .reach = mark.span.end - at,
+            .block = {},
+            .directives = {},
+            .is_epilogue = true};
+  }
+};
+
+BlockScanner::BlockScanner(std::string_view text, bool is_whole)
+    : impl_(std::make_unique<Impl>(Impl{text, is_whole, MarkReader(text), 0, std::nullopt})) {}
+BlockScanner::~BlockScanner() = default;
+
+std::optional<DocumentPart> BlockScanner::next() {
+  const std::optional<DocumentPart> part = impl_->read();
+  if (!part) return std::nullopt;
+  const bool depends_on_what_follows = !impl_->is_whole && part->begin + part->reach >= impl_->text.size();
+  if (depends_on_what_follows) return std::nullopt;
+  impl_->at += part->size;
+  return part;
+}
+
+std::vector<DocumentPart> scan_parts(std::string_view document) {
+  std::vector<DocumentPart> parts;
+  BlockScanner scanner(document, true);
+  while (std::optional<DocumentPart> part = scanner.next()) parts.push_back(std::move(*part));
+  return parts;
+}
+
 std::vector<BlockExtent> scan_blocks(std::string_view document) {
   std::vector<BlockExtent> blocks;
-  MarkReader reader(document);
-  for (Mark mark = reader.next(); mark.kind != Mark::Kind::DocumentEnd; mark = reader.next()) {
-    if (mark.kind == Mark::Kind::Begin && is_one_of(mark.environment, kEquations)) {
-      blocks.push_back(scan_block(reader, document, mark));
-    }
+  BlockScanner scanner(document, true);
+  while (const std::optional<DocumentPart> part = scanner.next()) {
+    if (part->block) blocks.push_back(*part->block);
   }
   return blocks;
 }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -20,14 +22,46 @@ enum class BlockEnd : uint8_t {
 /// One math block, in bytes of the document. [whole.begin, whole.end) is what the block owns: all its other spans are
 /// relative to whole.begin.
 struct BlockExtent {
-  Span whole;    ///< absolute; from the backslash of \begin to behind \end{…}, or to where the block was broken off
+  /// Absolute; from the backslash of \begin (or the first comment `% texbrdf:` right above) to behind \end{…}, or to
+  /// where the block was broken off.
+  Span whole;
   Span begin;    ///< relative: the \begin{equation}
   Span content;  ///< relative: between \begin{…} and \end
   Span end;      ///< relative: the `\end` token itself (4 bytes) where one closes the block, else empty at content.end
   BlockEnd ended_by = BlockEnd::Closed;
 };
 
-/// Finds the math blocks of a LaTeX document (language.md, section 1). Never fails; linear in the text.
+/// A part of a document: one math block, or prose. Parts follow each other without gaps; each begins where nothing is
+/// open, so what a part is depends on nothing before it.
+struct DocumentPart {
+  uint32_t begin = 0;  ///< absolute
+  uint32_t size = 0;
+  /// How many bytes from its begin decided what it is, at least `size` (a block that is not closed is ended by
+  /// something further on).
+  uint32_t reach = 0;
+  std::optional<BlockExtent> block;
+  std::vector<Span>
+      directives;  ///< of prose: its comments `% texbrdf: …`, relative; those above a block are in the block
+  /// After \end{document}: whatever follows belongs to it.
+  bool is_epilogue = false;
+};
+
+/// Walks a document from part to part (language.md, section 1). Never fails; linear in the text.
+class BlockScanner {
+ public:
+  /// `text` begins with a part. Where `is_whole` is false, more follows behind it that is not shown.
+  BlockScanner(std::string_view text, bool is_whole);
+  ~BlockScanner();
+  /// Nothing at the end, or where only what follows could tell.
+  std::optional<DocumentPart> next();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+std::vector<DocumentPart> scan_parts(std::string_view document);
+/// The math blocks alone.
 std::vector<BlockExtent> scan_blocks(std::string_view document);
 
 }  // namespace texbrdf

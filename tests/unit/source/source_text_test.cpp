@@ -67,7 +67,8 @@ TEST(SourceText, finds_every_code_point_of_any_bytes_again) {
     for (const ColumnUnit unit : {ColumnUnit::Utf8, ColumnUnit::Utf16, ColumnUnit::CodePoint}) {
       for (uint32_t line = 0; line < text.line_count(); ++line) {
         uint32_t offset = text.line_start(line);
-        for (std::string_view rest = text.line(line); !rest.empty();) {
+        const std::string content = text.line(line);
+        for (std::string_view rest = content; !rest.empty();) {
           EXPECT_EQ(text.offset(text.position(offset, unit), unit), offset);
           const uint32_t size = code_point_at_front(rest).size;
           rest.remove_prefix(size);

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "analysis/engine_state.h"
+#include "analysis/snapshot.h"
+#include "analysis/working_blocks.h"
+
+namespace texbrdf {
+
+/// A block that came, went or has another text.
+struct BlockChange {
+  BlockLabel label = 0;
+  std::shared_ptr<const AnalysedBlock> before;  ///< nullptr where there was none
+  std::shared_ptr<const AnalysedBlock> after;   ///< nullptr where there is none
+};
+
+/// Reads the touched blocks and opens them in `blocks`, in document order. What has the same bytes as a block that is
+/// gone is taken over from it.
+std::vector<BlockChange> read_changed_blocks(const EngineState& state, const TouchedBlocks& touched,
+                                             WorkingBlocks& blocks, Counters& counters);
+
+}  // namespace texbrdf

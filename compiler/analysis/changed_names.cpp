@@ -1,0 +1,126 @@
+#include "analysis/changed_names.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace texbrdf {
+namespace {
+
+void make_unique(std::vector<NameId>& names) {
+  std::ranges::sort(names);
+  const auto repeated = std::ranges::unique(names);
+  names.erase(repeated.begin(), repeated.end());
+}
+
+std::vector<NameId> mentions_of(const AnalysedBlock* block) {
+  if (block == nullptr) return {};
+  std::vector<NameId> names = block->mentions;
+  make_unique(names);
+  return names;
+}
+
+size_t definition_count(const AnalysedBlock* block) {
+  return block == nullptr ? 0 : block->parsed.definitions.size();
+}
+
+class NameUpdate {
+ public:
+  explicit NameUpdate(EngineState& state) : state_(state) {}
+
+  ChangedNames run(const std::vector<BlockChange>& changes) {
+    lists_changed_ = !state_.lists_users && !is_all_new(changes);
+    if (lists_changed_) list_users(state_);
+    for (const BlockChange& change : changes) {
+      if (change.before == change.after && !lists_changed_) continue;
+      update_definitions(change);
+      update_mentions(change);
+    }
+    make_unique(names_.listed);
+    make_unique(names_.to_check);
+    make_unique(names_.reordered);
+    make_unique(names_.mentioned);
+    return std::move(names_);
+  }
+
+ private:
+  bool is_all_new(const std::vector<BlockChange>& changes) const {
+    return changes.size() == state_.segments.measure().blocks &&
+           std::ranges::all_of(changes, [](const BlockChange& change) { return !change.before && change.after; });
+  }
+
+  void update_definitions(const BlockChange& change) {
+    const AnalysedBlock* before = change.before.get();
+    const AnalysedBlock* after = change.after.get();
+    const size_t count = std::max(definition_count(before), definition_count(after));
+    for (uint32_t i = 0; i < count; ++i) {
+      const NameId old_name = i < definition_count(before) ? before->defined(i) : NameId{};
+      const NameId new_name = i < definition_count(after) ? after->defined(i) : NameId{};
+      if (old_name != new_name) {
+        const DefinitionKey key{change.label, i};
+        if (old_name.valid()) erase_key(state_.occurrences[old_name.value].definitions, key);
+        if (new_name.valid()) insert_key(state_.occurrences[new_name.value].definitions, key);
+      }
+      note(old_name, old_name != new_name);
+      note(new_name, old_name != new_name);
+      if (old_name != new_name || !std::ranges::equal(before->mentions_of(i), after->mentions_of(i))) {
+        if (old_name.valid()) names_.reordered.push_back(old_name);
+        if (new_name.valid()) names_.reordered.push_back(new_name);
+      }
+    }
+  }
+
+  void note(NameId name, bool is_listed_elsewhere) {
+    if (!name.valid()) return;
+    names_.to_check.push_back(name);
+    if (is_listed_elsewhere) names_.listed.push_back(name);
+  }
+
+  void update_mentions(const BlockChange& change) {
+    const std::vector<NameId> before = mentions_of(change.before.get());
+    const std::vector<NameId> after = mentions_of(change.after.get());
+    if (lists_changed_) {
+      for (NameId name : after) insert_key(state_.occurrences[name.value].users, UserKey{change.label});
+    }
+    if (before == after) return;
+    if (before.empty() && !state_.lists_users) {
+      names_.mentioned.insert(names_.mentioned.end(), after.begin(), after.end());
+      return;
+    }
+    std::vector<NameId> gone, come;
+    std::ranges::set_difference(before, after, std::back_inserter(gone));
+    std::ranges::set_difference(after, before, std::back_inserter(come));
+    names_.mentioned.insert(names_.mentioned.end(), gone.begin(), gone.end());
+    names_.mentioned.insert(names_.mentioned.end(), come.begin(), come.end());
+    if (!state_.lists_users || lists_changed_) return;
+    for (NameId name : gone) erase_key(state_.occurrences[name.value].users, UserKey{change.label});
+    for (NameId name : come) insert_key(state_.occurrences[name.value].users, UserKey{change.label});
+  }
+
+  EngineState& state_;
+  bool lists_changed_ = false;  // the changed blocks are in no list yet
+  ChangedNames names_;
+};
+
+}  // namespace
+
+void list_users(EngineState& state) {
+  std::vector<std::vector<UserKey>> users(state.occurrences.size());
+  state.segments.visit_from(0, [&](const Segment& segment, const Segment::Measure&) {
+    if (!segment.block || !segment.block->analysed) return true;
+    for (NameId name : segment.block->analysed->mentions) {
+      const bool is_listed = !users[name.value].empty() && users[name.value].back().block == segment.block->label;
+      if (!is_listed) users[name.value].push_back({segment.block->label});
+    }
+    return true;
+  });
+  for (size_t name = 0; name < users.size(); ++name) state.occurrences[name].users = Sequence<UserKey>(users[name]);
+  state.lists_users = true;
+}
+
+ChangedNames update_names(EngineState& state, const std::vector<BlockChange>& changes) {
+  state.occurrences.resize(state.names->size());
+  state.name_states.resize(state.names->size());
+  return NameUpdate(state).run(changes);
+}
+
+}  // namespace texbrdf

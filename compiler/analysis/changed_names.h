@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "analysis/changed_blocks.h"
+#include "analysis/engine_state.h"
+
+namespace texbrdf {
+
+/// What changed blocks mean for names. Each name once in each list, in order of NameId.
+struct ChangedNames {
+  std::vector<NameId> listed;     ///< defined elsewhere than before, or not
+  std::vector<NameId> to_check;   ///< defined in a changed block, before or after
+  std::vector<NameId> reordered;  ///< the definition in force mentions other names, or is another one
+  std::vector<NameId> mentioned;  ///< in a changed block, before or after
+};
+
+/// Brings the occurrences of names up to date. The users of names are listed with the first change of a document that
+/// was checked before, not when all of it is new.
+ChangedNames update_names(EngineState& state, const std::vector<BlockChange>& changes);
+
+/// Lists for every name the blocks that mention it; those that are not read yet are left out.
+void list_users(EngineState& state);
+
+}  // namespace texbrdf

@@ -1,0 +1,126 @@
+#include "analysis/check_changes.h"
+
+#include <algorithm>
+#include <queue>
+
+namespace texbrdf {
+namespace {
+
+class KnownFacts final : public Facts {
+ public:
+  explicit KnownFacts(const std::vector<NameState>& names) : names_(names) {}
+  const NameFact& fact(NameId name) const override { return names_[name.value].fact; }
+
+ private:
+  const std::vector<NameState>& names_;
+};
+
+class CheckChanges {
+ public:
+  CheckChanges(EngineState& state, WorkingBlocks& blocks, Counters& counters)
+      : state_(state), blocks_(blocks), counters_(counters), is_queued_(state.name_states.size()) {}
+
+  void run(const std::vector<NameId>& names) {
+    for (NameId name : names) enqueue(name);
+    while (!queue_.empty()) {
+      const NameId name = queue_.top().name;
+      queue_.pop();
+      is_queued_[name.value] = false;
+      settle(name);
+    }
+    for (const WorkingBlock& block : blocks_.all()) note_unchecked(block);
+    for (const DefinitionKey& key : unneeded_) check(key);
+  }
+
+ private:
+  struct Waiting {
+    uint32_t height;
+    NameId name;
+    friend bool operator<(const Waiting& a, const Waiting& b) { return a.height > b.height; }  // lowest on top
+  };
+
+  NameState& state_of(NameId name) { return state_.name_states[name.value]; }
+
+  void enqueue(NameId name) {
+    if (is_queued_[name.value]) return;
+    is_queued_[name.value] = true;
+    // What a knot says of itself depends on its left side only.
+    queue_.push({state_of(name).in_knot ? 0 : state_of(name).height, name});
+  }
+
+  void settle(NameId name) {
+    NameFact now = fact_of(name);
+    if (now == state_of(name).fact) return;
+    state_of(name).fact = std::move(now);
+    if (!state_.lists_users) return;  // nothing was checked before
+    state_.occurrences[name.value].users.visit_from(0, [&](const UserKey& user, const UserKey&) {
+      recheck_users(user.block, name);
+      return true;
+    });
+  }
+
+  NameFact fact_of(NameId name) {
+    const std::optional<DefinitionKey> key = state_.in_force(name);
+    if (!key) return {};
+    if (state_of(name).in_knot) return {NameFact::Kind::Defined, poison(*key)};
+    const CheckedDefinition& checked = check(*key);
+    return {NameFact::Kind::Defined, checked.signature, checked.directional};
+  }
+
+  // Definitions on a cycle have no types; what they take is known all the same.
+  Signature poison(const DefinitionKey& key) const {
+    const ParsedBlock& block = blocks_.analysed(key.block)->parsed;
+    const Node& left = block.tree.node(block.definitions[key.index_in_block].left);
+    Signature signature;
+    signature.is_function = left.kind == NodeKind::Signature;
+    if (signature.is_function) signature.parameters.assign(left.child_count - 1, Type::Error);
+    return signature;
+  }
+
+  void recheck_users(BlockLabel label, NameId name) {
+    const AnalysedBlock& block = *blocks_.analysed(label);
+    for (uint32_t i = 0; i < block.parsed.definitions.size(); ++i) {
+      if (std::ranges::find(block.mentions_of(i), name) == block.mentions_of(i).end()) continue;
+      blocks_.open(label).definitions[i].record = nullptr;
+      if (state_.in_force(block.defined(i)) == DefinitionKey{label, i}) enqueue(block.defined(i));
+    }
+  }
+
+  const CheckedDefinition& check(const DefinitionKey& key) {
+    WorkingBlock* const block = blocks_.find(key.block);
+    if (block == nullptr) {
+      const auto place = find_block(state_.segments, key.block);
+      return place.item->block->definitions[key.index_in_block].record->checked;
+    }
+    std::shared_ptr<const DefinitionRecord>& record = block->definitions[key.index_in_block].record;
+    if (record) return record->checked;
+    ++counters_.definitions_checked;
+    const AnalysedBlock& analysed = *block->analysed;
+    const KnownFacts facts(state_.name_states);
+    record = std::make_shared<const DefinitionRecord>(check_definition(
+        analysed.parsed, analysed.parsed.definitions[key.index_in_block], analysed.names, *state_.names, facts));
+    return record->checked;
+  }
+
+  // Definitions on which no other depends: later ones of a name, and those in knots.
+  void note_unchecked(const WorkingBlock& block) {
+    for (uint32_t i = 0; i < block.definitions.size(); ++i) {
+      if (!block.definitions[i].record) unneeded_.push_back({block.label, i});
+    }
+  }
+
+  EngineState& state_;
+  WorkingBlocks& blocks_;
+  Counters& counters_;
+  std::priority_queue<Waiting> queue_;
+  std::vector<bool> is_queued_;  // by NameId
+  std::vector<DefinitionKey> unneeded_;
+};
+
+}  // namespace
+
+void check_changes(EngineState& state, WorkingBlocks& blocks, const std::vector<NameId>& names, Counters& counters) {
+  CheckChanges(state, blocks, counters).run(names);
+}
+
+}  // namespace texbrdf

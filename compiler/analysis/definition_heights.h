@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "analysis/engine_state.h"
+#include "analysis/working_blocks.h"
+
+namespace texbrdf {
+
+/// Brings the heights of names, knots and cycles up to date after the definitions of the names `reordered` have come to
+/// mention others. Returns the names that came into a knot or out of one.
+///
+/// Heights only grow (as in Jane Street's Incremental): an edge from a low definition to a high one lifts the low one
+/// and those that mention it. Where that takes too long, or some definition needs itself, all are put in order anew.
+std::vector<NameId> order_definitions(EngineState& state, const WorkingBlocks& blocks,
+                                      const std::vector<NameId>& reordered);
+
+}  // namespace texbrdf

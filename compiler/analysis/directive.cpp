@@ -1,0 +1,54 @@
+#include "analysis/directive.h"
+
+#include <algorithm>
+#include <array>
+
+namespace texbrdf {
+namespace {
+
+constexpr std::string_view kMark = "texbrdf:";
+constexpr std::string_view kBlanks = " \t\r";
+
+std::string_view trimmed(std::string_view text) {
+  const size_t first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+Directive::Kind kind_of(std::string_view word) {
+  if (word == "root") return Directive::Kind::Root;
+  if (word == "ignore") return Directive::Kind::Ignore;
+  if (word == "allow") return Directive::Kind::Allow;
+  return Directive::Kind::Unknown;
+}
+
+}  // namespace
+
+std::optional<Directive> read_directive(std::string_view comment, Span span) {
+  if (!comment.starts_with('%')) return std::nullopt;
+  std::string_view rest = trimmed(comment.substr(1));
+  if (!rest.starts_with(kMark)) return std::nullopt;
+  rest = trimmed(rest.substr(kMark.size()));
+  const size_t word_end = std::min(rest.find_first_of(" \t="), rest.size());
+  std::string_view argument = trimmed(rest.substr(word_end));
+  if (argument.starts_with('=')) argument = trimmed(argument.substr(1));
+  Directive directive{kind_of(rest.substr(0, word_end)), std::string(argument), span};
+  const bool needs_argument = directive.kind == Directive::Kind::Root || directive.kind == Directive::Kind::Allow;
+  if (needs_argument == argument.empty()) directive.kind = Directive::Kind::Unknown;
+  return directive;
+}
+
+std::vector<Directive> directives_above(std::string_view block_text, const BlockExtent& extent) {
+  std::vector<Directive> directives;
+  for (uint32_t at = 0; at < extent.begin.begin;) {
+    const auto end = static_cast<uint32_t>(std::min<size_t>(block_text.find_first_of("\r\n", at), extent.begin.begin));
+    const auto mark = static_cast<uint32_t>(std::min<size_t>(block_text.find('%', at), end));
+    if (auto directive = read_directive(block_text.substr(mark, end - mark), {mark, end})) {
+      directives.push_back(std::move(*directive));
+    }
+    at = end + 1;
+  }
+  return directives;
+}
+
+}  // namespace texbrdf

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "syntax/block_scanner.h"
+
+namespace texbrdf {
+
+/// What a comment `% texbrdf: …` asks for.
+struct Directive {
+  enum class Kind : uint8_t {
+    Root,    ///< root = NAME: the definition that is the BRDF
+    Ignore,  ///< above a block: it is not read
+    Allow,   ///< allow CODE: this code is not reported, in the block below or, elsewhere, in the whole document
+    Unknown
+  };
+  Kind kind = Kind::Unknown;
+  std::string argument;  ///< the name as it is written, or the code
+  Span span;             ///< of the comment, relative to its part of the document
+};
+
+/// `comment` is from the `%` to the end of the line; nothing where it does not begin with `% texbrdf:`.
+std::optional<Directive> read_directive(std::string_view comment, Span span);
+
+/// Those right above a block: in front of its \begin.
+std::vector<Directive> directives_above(std::string_view block_text, const BlockExtent& extent);
+
+}  // namespace texbrdf

@@ -1,0 +1,154 @@
+#include <algorithm>
+#include <unordered_set>
+#include <utility>
+
+#include "analysis/snapshot_state.h"
+#include "semantics/nearest_name.h"
+
+namespace texbrdf {
+namespace {
+
+// Reading the diagnostics stays quick in a document where everything is undefined: names beyond it get no suggestion.
+constexpr size_t kMaxSuggestions = 50;
+constexpr uint64_t kMaxParameterSteps = 100'000;
+
+constexpr size_t kMaxToldOfCycle = 12;
+
+void put_into_block(Diagnostic& diagnostic, BlockId block) {
+  diagnostic.where.block = block;
+  for (RelatedPlace& place : diagnostic.related) place.where.block = block;
+  for (Fix& fix : diagnostic.fixes) {
+    for (Edit& edit : fix.edits) edit.where.block = block;
+  }
+}
+
+/// Suggests names for undefined ones.
+class Suggestions {
+ public:
+  explicit Suggestions(const Snapshot::State& state) : state_(state) {}
+
+  /// The definition whose undefined names come next.
+  void enter(const CheckedDefinition& inside) {
+    parameters_ = {};
+    for (const CheckedParameter& parameter : inside.parameters) {
+      if (parameter.name.valid()) parameters_.add(state_.names->text(parameter.name));
+    }
+  }
+
+  void add_to(Diagnostic& undefined) {
+    const std::string& wanted = undefined.arguments[0];
+    if (!asked_.contains(wanted) && asked_.size() >= kMaxSuggestions) return;
+    asked_.insert(wanted);
+    uint64_t steps = kMaxParameterSteps;
+    std::optional<std::string> nearest = parameters_.find(wanted, steps);
+    if (!nearest) nearest = state_.suggestions->nearest(wanted, state_.segments, *state_.names);
+    if (!nearest) return;
+    undefined.arguments[2] = "; did you mean `" + *nearest + "`?";
+    undefined.fixes.push_back({.title = "replace by `" + *nearest + "`", .edits = {{undefined.where, *nearest}}});
+  }
+
+ private:
+  const Snapshot::State& state_;
+  NearestName parameters_;
+  std::unordered_set<std::string> asked_;
+};
+
+class Collector {
+ public:
+  explicit Collector(const Snapshot::State& state) : state_(state), suggestions_(state) {}
+
+  std::vector<Report> run() {
+    state_.segments.visit_where(
+        [](const Segment::Measure& sum) { return sum.reports > 0; },
+        [&](const Segment& segment, const Segment::Measure& before) {
+          take_block({segment.block.get(), BlockId{before.blocks}, before.bytes, before.definitions});
+          return true;
+        });
+    for (const Cycle& cycle : *state_.cycles) report_cycle(cycle);
+    std::ranges::sort(all_, {}, [](const Report& r) { return std::pair(r.diagnostic.where, r.diagnostic.code); });
+    return std::move(all_);
+  }
+
+ private:
+  std::string name_text(NameId name) const { return shown_name(state_.names->text(name)); }
+  Location name_place(NameId name) const { return state_.locate(*state_.find(name)).name_place(); }
+
+  void take_block(const LocatedBlock& block) {
+    const size_t first = all_.size();
+    take(block.parsed().diagnostics, block.id, NameId{});
+    for (uint32_t i = 0; i < block.block->definitions.size(); ++i) take_definition({block, i});
+    for (const Directive& directive : block.block->analysed->directives) {
+      if (directive.kind == Directive::Kind::Allow) silence(directive.argument, first);
+    }
+  }
+
+  void silence(const std::string& code, size_t first) {
+    const auto begin = all_.begin() + static_cast<std::ptrdiff_t>(first);
+    all_.erase(std::remove_if(begin, all_.end(),
+                              [&](const Report& report) { return code_name(report.diagnostic.code) == code; }),
+               all_.end());
+  }
+
+  void take(const std::vector<Diagnostic>& diagnostics, BlockId block, NameId about) {
+    for (const Diagnostic& diagnostic : diagnostics) {
+      all_.push_back({diagnostic, about});
+      put_into_block(all_.back().diagnostic, block);
+    }
+  }
+
+  void take_definition(const LocatedDefinition& definition) {
+    const CheckedDefinition& checked = definition.checked();
+    const size_t first = all_.size();
+    take(checked.diagnostics, definition.at.id, definition.name());
+    if (all_.size() > first) suggestions_.enter(checked);
+    for (size_t i = first; i < all_.size(); ++i) {
+      if (all_[i].diagnostic.code == Code::UndefinedName) suggestions_.add_to(all_[i].diagnostic);
+    }
+    report_definition(definition);
+  }
+
+  void report_definition(const LocatedDefinition& definition) {
+    const NameId name = definition.name();
+    if (!definition.placed().in_force) {
+      report_redefinition(definition);
+    } else if (const std::optional<Convention> convention = state_.names->traits(name).convention) {
+      const std::string meaning(convention_entry(*convention).meaning);
+      add(make_diagnostic(Code::ConventionRedefined, definition.name_place(), {name_text(name), meaning}), name);
+    }
+  }
+
+  void add(Diagnostic diagnostic, NameId about) { all_.push_back({std::move(diagnostic), about}); }
+
+  void report_redefinition(const LocatedDefinition& definition) {
+    const NameId name = definition.name();
+    const std::optional<DefinitionKey> first = state_.find(name);
+    if (!first) return;
+    add(make_diagnostic(Code::Redefinition, definition.name_place(), {name_text(name)}), name);
+    all_.back().diagnostic.related.push_back({state_.locate(*first).name_place(), "first defined here"});
+  }
+
+  void report_cycle(const Cycle& cycle) {
+    const std::span<const NameId> told = std::span(cycle).first(std::min(cycle.size(), kMaxToldOfCycle));
+    std::string path;
+    for (NameId name : told) path += "`" + name_text(name) + "` → ";
+    if (told.size() < cycle.size()) path += "… → ";
+    Diagnostic diagnostic = make_diagnostic(Code::CircularDefinition, name_place(cycle.front()),
+                                            {path + "`" + name_text(cycle.front()) + "`"});
+    for (NameId name : told.subspan(1)) {
+      diagnostic.related.push_back({name_place(name), "`" + name_text(name) + "` is on the way"});
+    }
+    add(std::move(diagnostic), cycle.front());
+  }
+
+  const Snapshot::State& state_;
+  Suggestions suggestions_;
+  std::vector<Report> all_;
+};
+
+}  // namespace
+
+std::vector<Report> document_reports(const Snapshot::State& state) {
+  return Collector(state).run();
+}
+
+}  // namespace texbrdf

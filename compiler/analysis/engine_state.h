@@ -1,0 +1,60 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "analysis/name_index.h"
+#include "analysis/segment.h"
+#include "semantics/check.h"
+#include "source/source_text.h"
+
+namespace texbrdf {
+
+/// What the definition in force says of a name to all others, and where it stands in the order of checking.
+struct NameState {
+  NameFact fact;
+  /// Greater than that of every name that the definition mentions, unless it is in a knot; 0 where there is none.
+  uint32_t height = 0;
+  bool in_knot = false;  ///< its definition needs itself
+};
+
+/// Names whose definitions need each other, as a path from the first of them.
+using Cycle = std::vector<NameId>;
+
+/// Which definition is the BRDF.
+struct RootChoice {
+  std::string name;             ///< canonical; empty where no instruction names one and no definition looks like one
+  bool has_directives = false;  ///< the document says something to texbrdf: it is one of ours
+};
+
+/// All that is known of a document between two edits.
+struct EngineState {
+  SourceText text;
+  SegmentSequence segments;
+  std::shared_ptr<NameTable> names = std::make_shared<NameTable>();
+  std::vector<NameState> name_states;        ///< by NameId
+  std::vector<NameOccurrences> occurrences;  ///< by NameId
+  bool lists_users = false;                  ///< who mentions a name is listed when it is first needed
+  RootChoice root;
+  std::shared_ptr<const std::vector<Cycle>> cycles = std::make_shared<const std::vector<Cycle>>();
+
+  /// The first definition of a name is in force; one of a constant of the convention never is.
+  std::optional<DefinitionKey> in_force(NameId name) const {
+    const Sequence<DefinitionKey>& definitions = occurrences[name.value].definitions;
+    const NameTraits& traits = names->traits(name);
+    const bool is_constant = traits.convention && convention_constant(*traits.convention);
+    if (definitions.empty() || is_constant) return std::nullopt;
+    return *definitions.at(0).item;
+  }
+};
+
+/// Blocks that were scanned since the document was last checked.
+struct TouchedBlocks {
+  bool all = false;  ///< the document is new: `before` is empty, every block is touched
+  std::unordered_map<BlockLabel, std::shared_ptr<const PlacedBlock>> before;  ///< what stood there then, or nullptr
+};
+
+}  // namespace texbrdf

@@ -1,0 +1,103 @@
+#include "analysis/root_choice.h"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace texbrdf {
+namespace {
+
+/// Of more definitions that may be the root, only the first are looked at.
+constexpr size_t kMaxCandidates = 64;
+
+class RootSearch {
+ public:
+  explicit RootSearch(EngineState& state) : state_(state) {}
+
+  RootChoice run() {
+    read_directives();
+    if (choice_.name.empty()) {
+      if (const std::optional<NameId> best = best_candidate()) choice_.name = state_.names->text(*best);
+    }
+    return std::move(choice_);
+  }
+
+ private:
+  void read_directives() {
+    state_.segments.visit_where([](const Segment::Measure& sum) { return sum.directives > 0; },
+                                [&](const Segment& segment, const Segment::Measure&) {
+                                  read(segment.block ? segment.block->analysed->directives : *segment.directives);
+                                  return true;
+                                });
+  }
+
+  void read(const std::vector<Directive>& directives) {
+    choice_.has_directives = true;
+    for (const Directive& directive : directives) {
+      if (directive.kind == Directive::Kind::Root && choice_.name.empty())
+        choice_.name = canonical_name(directive.argument).value_or(directive.argument);
+    }
+  }
+
+  /// A definition that may be the root.
+  struct Candidate {
+    NameId name;
+    const CheckedDefinition* checked;
+    std::span<const NameId> mentions;
+
+    bool is_directional() const {
+      return checked->directional || std::ranges::any_of(checked->signature.parameters, is_triple);
+    }
+  };
+
+  std::vector<Candidate> candidates() const {
+    std::vector<Candidate> found;
+    state_.segments.visit_where([](const Segment::Measure& sum) { return sum.candidates > 0; },
+                                [&](const Segment& segment, const Segment::Measure&) {
+                                  add_candidates(*segment.block, found);
+                                  return found.size() < kMaxCandidates;
+                                });
+    return found;
+  }
+
+  void add_candidates(const PlacedBlock& block, std::vector<Candidate>& found) const {
+    for (uint32_t i = 0; i < block.definitions.size(); ++i) {
+      const NameId name = block.analysed->defined(i);
+      const PlacedDefinition& definition = block.definitions[i];
+      if (!definition.in_force || !state_.names->traits(name).may_be_brdf) continue;
+      found.push_back({name, &definition.record->checked, block.analysed->mentions_of(i)});
+    }
+  }
+
+  std::optional<NameId> best_candidate() const {
+    std::vector<Candidate> all = candidates();
+    if (std::ranges::any_of(all, &Candidate::is_directional)) {
+      std::erase_if(all, [](const Candidate& candidate) { return !candidate.is_directional(); });
+    }
+    std::optional<NameId> best;
+    for (const Candidate& candidate : all) {
+      const bool is_used = std::ranges::any_of(all, [&](const Candidate& user) {
+        return user.name != candidate.name && std::ranges::find(user.mentions, candidate.name) != user.mentions.end();
+      });
+      if (!is_used && (!best || rank(candidate.name) < rank(*best))) best = candidate.name;
+    }
+    return best;
+  }
+
+  // One that needs more is nearer to the whole; else `f` itself, else the first of the document.
+  std::pair<int64_t, bool> rank(NameId name) const {
+    return {-int64_t{state_.name_states[name.value].height}, state_.names->text(name) != "f"};
+  }
+
+  const EngineState& state_;
+  RootChoice choice_;
+};
+
+}  // namespace
+
+void choose_root(EngineState& state) {
+  state.root = RootSearch(state).run();
+}
+
+}  // namespace texbrdf

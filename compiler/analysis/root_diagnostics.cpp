@@ -1,0 +1,151 @@
+#include <algorithm>
+#include <utility>
+
+#include "analysis/snapshot_state.h"
+
+namespace texbrdf {
+namespace {
+
+/// A document that is a collection of equations would drown in hints: only the first are told.
+constexpr uint32_t kMaxUnused = 100;
+
+/// The block of a place in prose, whose span is absolute.
+constexpr BlockId kNoBlock{UINT32_MAX};
+
+/// The names that a root needs, itself included.
+class NeededNames {
+ public:
+  NeededNames(const Snapshot::State& state, NameId root) : is_needed_(state.names->size()) {
+    std::vector<NameId> waiting;
+    const auto need = [&](NameId name) {
+      if (is_needed_[name.value]) return;
+      is_needed_[name.value] = true;
+      waiting.push_back(name);
+    };
+    need(root);
+    while (!waiting.empty()) {
+      const std::optional<DefinitionKey> key = state.find(waiting.back());
+      waiting.pop_back();
+      if (!key) continue;
+      const AnalysedBlock& block = *state.locate(key->block).block->analysed;
+      for (NameId name : block.mentions_of(key->index_in_block)) need(name);
+    }
+  }
+
+  bool contains(NameId name) const { return is_needed_[name.value]; }
+
+ private:
+  std::vector<bool> is_needed_;
+};
+
+class RootDiagnostics {
+ public:
+  RootDiagnostics(const Snapshot::State& state, std::string_view root)
+      : state_(state), root_(root), root_name_(state.names->find(root)) {
+    if (root_name_.valid()) key_ = state.find(root_name_);
+  }
+
+  std::vector<Diagnostic> run() {
+    for (const Report& report : state_.reports) all_.push_back(report.diagnostic);
+    if (key_) {
+      demote_what_is_not_needed();
+      check_shape();
+      hint_unused();
+    } else {
+      report_missing();
+    }
+    follow_directives();
+    std::ranges::stable_sort(all_, {}, &Diagnostic::where);
+    return std::move(all_);
+  }
+
+ private:
+  static bool may_be_demoted(const Report& report) {
+    return report.about.valid() && report.diagnostic.severity < Severity::Information;
+  }
+
+  // A paper also contains equations that are not code.
+  void demote_what_is_not_needed() {
+    if (std::ranges::none_of(state_.reports, may_be_demoted)) return;
+    const NeededNames needed(state_, root_name_);
+    for (size_t i = 0; i < all_.size(); ++i) {
+      const Report& report = state_.reports[i];
+      if (may_be_demoted(report) && !needed.contains(report.about)) all_[i].severity = Severity::Hint;
+    }
+  }
+
+  void check_shape() {
+    const LocatedDefinition definition = state_.locate(*key_);
+    const Signature& signature = definition.checked().signature;
+    if (signature.result == Type::Error || is_brdf(signature)) return;
+    all_.push_back(make_diagnostic(Code::RootShape, definition.name_place(), {root_, signature_text(signature)}));
+  }
+
+  // A document without blocks is none of ours, and a block whose left side could not be read may have been the root.
+  void report_missing() {
+    const Segment::Measure sum = state_.segments.measure();
+    if (sum.definitions == 0 || sum.without_definition > 0) return;
+    const DefinitionId last{sum.definitions - 1};
+    all_.push_back(make_diagnostic(Code::MissingRoot, state_.locate(last).name_place(), {root_}));
+  }
+
+  void hint_unused() {
+    uint32_t told = 0;
+    state_.segments.visit_where([](const Segment::Measure& sum) { return sum.unused > 0; },
+                                [&](const Segment& segment, const Segment::Measure& before) {
+                                  const LocatedBlock block{segment.block.get(), BlockId{before.blocks}, before.bytes,
+                                                           before.definitions};
+                                  for (uint32_t i = 0; i < block.block->definitions.size(); ++i)
+                                    hint_unused({block, i});
+                                  told += block.block->unused;
+                                  return told < kMaxUnused;
+                                });
+  }
+
+  void hint_unused(const LocatedDefinition& definition) {
+    const PlacedDefinition& placed = definition.placed();
+    if (!placed.in_force || placed.is_used || definition.name() == root_name_) return;
+    const std::string name = shown_name(state_.names->text(definition.name()));
+    all_.push_back(make_diagnostic(Code::UnusedDefinition, definition.name_place(), {name}));
+  }
+
+  void follow_directives() {
+    state_.segments.visit_where([](const Segment::Measure& sum) { return sum.directives > 0; },
+                                [&](const Segment& segment, const Segment::Measure& before) {
+                                  follow(segment, before.bytes);
+                                  return true;
+                                });
+  }
+
+  void follow(const Segment& segment, uint32_t offset) {
+    for (const Directive& directive : segment.block ? segment.block->analysed->directives : *segment.directives) {
+      if (directive.kind == Directive::Kind::Allow && !segment.block) {
+        std::erase_if(all_, [&](const Diagnostic& d) { return code_name(d.code) == directive.argument; });
+      } else if (directive.kind == Directive::Kind::Unknown) {
+        const Span absolute{offset + directive.span.begin, offset + directive.span.end};
+        const Location where{.file = {}, .block = kNoBlock, .span = absolute};
+        all_.push_back(make_diagnostic(Code::UnknownDirective, where, {state_.text.slice(absolute)}));
+      }
+    }
+  }
+
+  const Snapshot::State& state_;
+  const std::string root_;
+  const NameId root_name_;
+  std::optional<DefinitionKey> key_;
+  std::vector<Diagnostic> all_;
+};
+
+}  // namespace
+
+bool is_brdf(const Signature& signature) {
+  const bool is_value = signature.result == Type::Real || is_triple(signature.result);
+  if (!signature.is_function) return is_value;
+  return is_value && signature.parameters.size() == 2 && std::ranges::all_of(signature.parameters, is_triple);
+}
+
+std::vector<Diagnostic> diagnostics_for_root(const Snapshot::State& state, std::string_view root) {
+  return RootDiagnostics(state, root).run();
+}
+
+}  // namespace texbrdf

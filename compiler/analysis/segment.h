@@ -1,0 +1,89 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "analysis/analysed_block.h"
+#include "analysis/definition_record.h"
+#include "analysis/directive.h"
+#include "source/sequence.h"
+
+namespace texbrdf {
+
+/// Tells blocks apart and gives their order in the document. A block keeps its label while others come and go.
+using BlockLabel = uint64_t;
+
+/// A definition in its document.
+struct PlacedDefinition {
+  std::shared_ptr<const DefinitionRecord> record;
+  bool in_force = false;
+  bool is_used = false;  ///< something mentions its name
+};
+
+/// A block in its document. Where `analysed` is nullptr it was scanned, and nobody has read it yet.
+struct PlacedBlock {
+  BlockLabel label = 0;
+  BlockExtent extent;  ///< `whole` is only good for its size
+  std::shared_ptr<const AnalysedBlock> analysed;
+  std::vector<PlacedDefinition> definitions;
+  uint32_t reports = 0;     ///< how much of it has to be reported, at most
+  uint32_t unused = 0;      ///< definitions in force that nothing mentions
+  uint32_t candidates = 0;  ///< definitions in force whose name may be that of a BRDF
+};
+
+/// A stretch of the document: a block, or prose.
+struct Segment {
+  struct Measure {
+    uint32_t bytes = 0;
+    uint32_t reach = 0;  ///< the last byte that decided what the segments are
+    uint32_t blocks = 0;
+    uint32_t definitions = 0;
+    uint32_t reports = 0;
+    uint32_t without_definition = 0;  ///< blocks
+    uint32_t unused = 0;
+    uint32_t candidates = 0;
+    uint32_t directives = 0;
+    BlockLabel last_label = 0;
+    friend Measure operator+(const Measure& a, const Measure& b) {
+      return {a.bytes + b.bytes,           std::max(a.reach, a.bytes + b.reach),
+              a.blocks + b.blocks,         a.definitions + b.definitions,
+              a.reports + b.reports,       a.without_definition + b.without_definition,
+              a.unused + b.unused,         a.candidates + b.candidates,
+              a.directives + b.directives, std::max(a.last_label, b.last_label)};
+    }
+  };
+
+  uint32_t size = 0;
+  uint32_t reach = 0;
+  std::shared_ptr<const PlacedBlock> block;                  ///< nullptr for prose
+  std::shared_ptr<const std::vector<Directive>> directives;  ///< of prose that has some, else nullptr
+
+  Measure measure() const {
+    Measure sum{.bytes = size, .reach = reach};
+    if (directives) sum.directives = static_cast<uint32_t>(directives->size());
+    if (!block) return sum;
+    sum.blocks = 1;
+    sum.definitions = static_cast<uint32_t>(block->definitions.size());
+    sum.reports = block->reports;
+    sum.unused = block->unused;
+    sum.candidates = block->candidates;
+    if (block->analysed) sum.directives = static_cast<uint32_t>(block->analysed->directives.size());
+    sum.without_definition = block->definitions.empty() ? 1 : 0;
+    sum.last_label = block->label;
+    return sum;
+  }
+};
+
+using SegmentSequence = Sequence<Segment>;
+
+/// The block of the label; `item` is nullptr or another segment where there is none.
+inline SegmentSequence::Place find_block(const SegmentSequence& segments, BlockLabel label) {
+  SegmentSequence::Place place =
+      segments.find([label](const Segment::Measure& sum) { return sum.last_label >= label; });
+  if (place.item != nullptr && place.item->block->label != label) place.item = nullptr;
+  return place;
+}
+
+}  // namespace texbrdf

@@ -1,0 +1,157 @@
+#include "analysis/update.h"
+
+#include <algorithm>
+
+#include "analysis/changed_blocks.h"
+#include "analysis/changed_names.h"
+#include "analysis/check_changes.h"
+#include "analysis/definition_heights.h"
+#include "analysis/root_choice.h"
+
+namespace texbrdf {
+namespace {
+
+/// More changes than one in so many are not put in one by one: the list is built anew.
+constexpr size_t kFewest = 8;
+
+class Update {
+ public:
+  Update(EngineState& state, const TouchedBlocks& touched, const NameIndex& index)
+      : state_(state), touched_(touched), index_(index), blocks_(state.segments) {}
+
+  UpdateResult run() {
+    const std::vector<BlockChange> changes = read_changed_blocks(state_, touched_, blocks_, result_.counters);
+    names_ = update_names(state_, changes);
+    std::vector<NameId> to_check = order_definitions(state_, blocks_, names_.reordered);
+    to_check.insert(to_check.end(), names_.to_check.begin(), names_.to_check.end());
+    check_changes(state_, blocks_, to_check, result_.counters);
+    mark_definitions();
+    store_blocks();
+    store_names();
+    choose_root(state_);
+    result_.other_definitions = !names_.listed.empty();
+    return std::move(result_);
+  }
+
+ private:
+  void mark_definitions() {
+    is_mentioned_.resize(state_.names->size());
+    if (!state_.lists_users) {
+      for (NameId name : names_.mentioned) is_mentioned_[name.value] = true;
+    }
+    for (size_t i = 0; i < blocks_.all().size(); ++i) mark_block(blocks_.open(blocks_.all()[i].label));
+    for (NameId name : names_.listed) mark_first(name);
+    for (NameId name : names_.mentioned) mark_first(name);
+  }
+
+  void mark_block(WorkingBlock& block) const {
+    for (uint32_t i = 0; i < block.definitions.size(); ++i)
+      mark(block.definitions[i], {block.label, i}, *block.analysed);
+  }
+
+  void mark(PlacedDefinition& definition, const DefinitionKey& key, const AnalysedBlock& block) const {
+    const NameId name = block.defined(key.index_in_block);
+    definition.in_force = state_.in_force(name) == key;
+    definition.is_used = definition.in_force && is_used(name);
+  }
+
+  bool is_used(NameId name) const {
+    return state_.lists_users ? !state_.occurrences[name.value].users.empty() : is_mentioned_[name.value];
+  }
+
+  // Of the definitions that did not change only the first can have come into force or out of it.
+  void mark_first(NameId name) {
+    state_.occurrences[name.value].definitions.visit_from(0, [&](const DefinitionKey& key, const DefinitionKey&) {
+      if (blocks_.find(key.block) != nullptr) return true;
+      PlacedDefinition marked = find_block(state_.segments, key.block).item->block->definitions[key.index_in_block];
+      const PlacedDefinition before = marked;
+      mark(marked, key, *blocks_.analysed(key.block));
+      if (marked.in_force != before.in_force || marked.is_used != before.is_used) {
+        blocks_.open(key.block).definitions[key.index_in_block] = marked;
+      }
+      return false;
+    });
+  }
+
+  std::shared_ptr<const PlacedBlock> placed(const WorkingBlock& block) const {
+    auto placed = std::make_shared<PlacedBlock>(PlacedBlock{
+        .label = block.label, .extent = block.extent, .analysed = block.analysed, .definitions = block.definitions});
+    placed->reports = count_reports(block);
+    for (uint32_t i = 0; i < block.definitions.size(); ++i) {
+      const PlacedDefinition& definition = block.definitions[i];
+      if (definition.in_force && !definition.is_used) ++placed->unused;
+      if (definition.in_force && state_.names->traits(block.analysed->defined(i)).may_be_brdf) ++placed->candidates;
+    }
+    return placed;
+  }
+
+  uint32_t count_reports(const WorkingBlock& block) const {
+    size_t reports = block.analysed->parsed.diagnostics.size();
+    for (uint32_t i = 0; i < block.definitions.size(); ++i) {
+      const PlacedDefinition& definition = block.definitions[i];
+      const bool is_convention = state_.names->traits(block.analysed->defined(i)).convention.has_value();
+      reports += definition.record->checked.diagnostics.size();
+      if (!definition.in_force || is_convention) ++reports;
+    }
+    return static_cast<uint32_t>(reports);
+  }
+
+  void store_blocks() {
+    if (blocks_.all().size() > state_.segments.size() / kFewest) {
+      store_all_blocks();
+      return;
+    }
+    for (const WorkingBlock& block : blocks_.all()) {
+      const auto place = find_block(state_.segments, block.label);
+      Segment segment = *place.item;
+      segment.block = placed(block);
+      state_.segments = state_.segments.with(place.index, 1, std::span(&segment, 1));
+    }
+  }
+
+  void store_all_blocks() {
+    std::vector<Segment> segments;
+    segments.reserve(state_.segments.size());
+    state_.segments.visit_from(0, [&](const Segment& segment, const Segment::Measure&) {
+      segments.push_back(segment);
+      if (!segment.block) return true;
+      if (const WorkingBlock* block = blocks_.find(segment.block->label)) segments.back().block = placed(*block);
+      return true;
+    });
+    state_.segments = SegmentSequence(segments);
+  }
+
+  void store_names() {
+    const size_t changed = names_.listed.size() + names_.mentioned.size();
+    const bool is_first_listing = state_.lists_users && !listed_users_;
+    if (is_first_listing || changed > index_.size() / kFewest) {
+      result_.name_index = NameIndex(state_.occurrences);
+      return;
+    }
+    const std::span all(state_.occurrences);
+    result_.name_index = index_.with(index_.size(), 0, all.subspan(index_.size()));
+    for (NameId name : names_.listed) store_name(name);
+    for (NameId name : names_.mentioned) store_name(name);
+  }
+
+  void store_name(NameId name) {
+    result_.name_index = result_.name_index.with(name.value, 1, std::span(&state_.occurrences[name.value], 1));
+  }
+
+  EngineState& state_;
+  const TouchedBlocks& touched_;
+  const NameIndex& index_;
+  const bool listed_users_ = state_.lists_users;  // before
+  WorkingBlocks blocks_;
+  ChangedNames names_;
+  std::vector<bool> is_mentioned_;  // by NameId, of a document that is all new
+  UpdateResult result_;
+};
+
+}  // namespace
+
+UpdateResult update(EngineState& state, const TouchedBlocks& touched, const NameIndex& index) {
+  return Update(state, touched, index).run();
+}
+
+}  // namespace texbrdf

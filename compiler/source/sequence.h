@@ -1,0 +1,221 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace texbrdf {
+
+/// An immutable list with sums over its items, kept as a weight-balanced tree (Adams, 1993; balance as in Hirai and
+/// Yamamoto, 2011). Changing a few items of n costs O(log n) time and memory; what did not change is shared. Copies are
+/// cheap and may be read by any thread.
+///
+/// `Item::Measure` is the sum: its default value is the sum of nothing, `a + b` the sum of two stretches one after the
+/// other, and `item.measure()` that of one item. Sums that are searched for must grow along the list.
+template <typename Item>
+class Sequence {
+ public:
+  using Measure = typename Item::Measure;
+
+  /// An item, how many stand before it and their sum. `item` is nullptr behind the end.
+  struct Place {
+    const Item* item = nullptr;
+    uint32_t index = 0;
+    Measure before;
+  };
+
+  Sequence() = default;
+  explicit Sequence(std::span<const Item> items) : root_(build(items)) {}
+
+  uint32_t size() const { return size_of(root_); }
+  bool empty() const { return root_ == nullptr; }
+  Measure measure() const { return measure_of(root_); }
+
+  /// The first item with which the sum, from the beginning of the list to its own end, satisfies `reached`.
+  template <typename Predicate>
+  Place find(const Predicate& reached) const {
+    Place place;
+    const Node* node = root_.get();
+    while (node != nullptr) {
+      const Measure left = place.before + measure_of(node->left);
+      if (node->left && reached(left)) {
+        node = node->left.get();
+        continue;
+      }
+      place.index += size_of(node->left);
+      place.before = left;
+      const Measure with_item = left + node->item.measure();
+      if (reached(with_item)) {
+        place.item = &node->item;
+        return place;
+      }
+      ++place.index;
+      place.before = with_item;
+      node = node->right.get();
+    }
+    return place;
+  }
+
+  Place at(uint32_t index) const {
+    Place place;
+    const Node* node = root_.get();
+    uint32_t wanted = index;
+    while (node != nullptr) {
+      const uint32_t left = size_of(node->left);
+      if (wanted < left) {
+        node = node->left.get();
+        continue;
+      }
+      place.before = place.before + measure_of(node->left);
+      if (wanted == left) {
+        place.item = &node->item;
+        break;
+      }
+      place.before = place.before + node->item.measure();
+      wanted -= left + 1;
+      node = node->right.get();
+    }
+    place.index = index;
+    return place;
+  }
+
+  /// Visits the items from `first` on, with the sum of all before each, until `visit(item, before)` gives false.
+  template <typename Visit>
+  void visit_from(uint32_t first, const Visit& visit) const {
+    visit_node(root_.get(), first, Measure{}, visit);
+  }
+
+  /// Visits the items of the stretches for whose sum `matters(sum)` holds, until `visit(item, before)` gives false.
+  template <typename Matters, typename Visit>
+  void visit_where(const Matters& matters, const Visit& visit) const {
+    visit_matching(root_.get(), Measure{}, matters, visit);
+  }
+
+  /// The list with `items` in the place of `count` items from `first` on.
+  Sequence with(uint32_t first, uint32_t count, std::span<const Item> items) const {
+    if (count == 1 && items.size() == 1) return Sequence(with_item(root_, first, items.front()));
+    auto [before, rest] = split(root_, first);
+    auto [removed, behind] = split(rest, count);
+    return Sequence(join(join(before, build(items)), behind));
+  }
+
+ private:
+  struct Node;
+  using Link = std::shared_ptr<const Node>;
+  struct Node {
+    Link left, right;
+    Item item;
+    uint32_t size;
+    Measure measure;
+  };
+
+  // Weights differ at most by kDelta; a single rotation is enough where the inner child is lighter than kRatio times
+  // the outer one.
+  static constexpr uint32_t kDelta = 3;
+  static constexpr uint32_t kRatio = 2;
+
+  explicit Sequence(Link root) : root_(std::move(root)) {}
+
+  static uint32_t size_of(const Link& node) { return node ? node->size : 0; }
+  static uint32_t weight(const Link& node) { return size_of(node) + 1; }
+  static Measure measure_of(const Link& node) { return node ? node->measure : Measure{}; }
+
+  static Link make(Link left, Item item, Link right) {
+    const uint32_t size = size_of(left) + size_of(right) + 1;
+    const Measure measure = measure_of(left) + item.measure() + measure_of(right);
+    return std::make_shared<const Node>(Node{std::move(left), std::move(right), std::move(item), size, measure});
+  }
+
+  static Link build(std::span<const Item> items) {
+    if (items.empty()) return nullptr;
+    const size_t middle = items.size() / 2;
+    return make(build(items.first(middle)), items[middle], build(items.subspan(middle + 1)));
+  }
+
+  static Link rotate_left(const Link& left, const Item& item, const Link& right) {
+    if (weight(right->left) < kRatio * weight(right->right)) {
+      return make(make(left, item, right->left), right->item, right->right);
+    }
+    const Node& inner = *right->left;
+    return make(make(left, item, inner.left), inner.item, make(inner.right, right->item, right->right));
+  }
+  static Link rotate_right(const Link& left, const Item& item, const Link& right) {
+    if (weight(left->right) < kRatio * weight(left->left)) {
+      return make(left->left, left->item, make(left->right, item, right));
+    }
+    const Node& inner = *left->right;
+    return make(make(left->left, left->item, inner.left), inner.item, make(inner.right, item, right));
+  }
+  /// Precondition: one side grew or shrank by one since the weights were right.
+  static Link balance(const Link& left, const Item& item, const Link& right) {
+    if (weight(right) > kDelta * weight(left)) return rotate_left(left, item, right);
+    if (weight(left) > kDelta * weight(right)) return rotate_right(left, item, right);
+    return make(left, item, right);
+  }
+
+  static Link join(const Link& left, const Item& item, const Link& right) {
+    if (weight(right) > kDelta * weight(left)) {
+      return balance(join(left, item, right->left), right->item, right->right);
+    }
+    if (weight(left) > kDelta * weight(right)) {
+      return balance(left->left, left->item, join(left->right, item, right));
+    }
+    return make(left, item, right);
+  }
+
+  static std::pair<Item, Link> without_first(const Link& node) {
+    if (!node->left) return {node->item, node->right};
+    auto [first, rest] = without_first(node->left);
+    return {std::move(first), balance(rest, node->item, node->right)};
+  }
+  static Link join(const Link& left, const Link& right) {
+    if (!left) return right;
+    if (!right) return left;
+    auto [first, rest] = without_first(right);
+    return join(left, first, rest);
+  }
+
+  static std::pair<Link, Link> split(const Link& node, uint32_t index) {
+    if (!node) return {};
+    const uint32_t left = size_of(node->left);
+    if (index <= left) {
+      auto [before, behind] = split(node->left, index);
+      return {before, join(behind, node->item, node->right)};
+    }
+    auto [before, behind] = split(node->right, index - left - 1);
+    return {join(node->left, node->item, before), behind};
+  }
+
+  static Link with_item(const Link& node, uint32_t index, const Item& item) {
+    const uint32_t left = size_of(node->left);
+    if (index < left) return make(with_item(node->left, index, item), node->item, node->right);
+    if (index > left) return make(node->left, node->item, with_item(node->right, index - left - 1, item));
+    return make(node->left, item, node->right);
+  }
+
+  template <typename Visit>
+  static bool visit_node(const Node* node, uint32_t first, const Measure& before, const Visit& visit) {
+    if (node == nullptr || first >= node->size) return true;
+    const uint32_t left = size_of(node->left);
+    if (first < left && !visit_node(node->left.get(), first, before, visit)) return false;
+    const Measure here = before + measure_of(node->left);
+    if (first <= left && !visit(node->item, here)) return false;
+    const uint32_t rest = first <= left ? 0 : first - left - 1;
+    return visit_node(node->right.get(), rest, here + node->item.measure(), visit);
+  }
+
+  template <typename Matters, typename Visit>
+  static bool visit_matching(const Node* node, const Measure& before, const Matters& matters, const Visit& visit) {
+    if (node == nullptr || !matters(node->measure)) return true;
+    if (!visit_matching(node->left.get(), before, matters, visit)) return false;
+    const Measure here = before + measure_of(node->left);
+    if (matters(node->item.measure()) && !visit(node->item, here)) return false;
+    return visit_matching(node->right.get(), here + node->item.measure(), matters, visit);
+  }
+
+  Link root_;
+};
+
+}  // namespace texbrdf

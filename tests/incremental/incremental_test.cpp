@@ -1,0 +1,264 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <random>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/document.h"
+#include "emit/emit.h"
+#include "features/diagnostics.h"
+#include "features/document_symbols.h"
+#include "features/hover.h"
+#include "features/semantic_tokens.h"
+
+namespace texbrdf {
+namespace {
+
+using Random = std::mt19937;
+
+void append(std::string& out, Span span) {
+  out += '[' + std::to_string(span.begin) + ',' + std::to_string(span.end) + ')';
+}
+
+void append_symbols(std::string& out, const std::vector<features::Symbol>& symbols) {
+  for (const features::Symbol& symbol : symbols) {
+    out.append(symbol.name).append(": ").append(symbol.type);
+    append(out, symbol.whole);
+    append(out, symbol.selection);
+    append_symbols(out, symbol.children);
+  }
+  out += '\n';
+}
+
+void append_diagnostics(std::string& out, const Snapshot& snapshot) {
+  for (const Diagnostic& diagnostic : snapshot.diagnostics()) {
+    append(out, snapshot.absolute(diagnostic.where));
+    out.append(severity_name(diagnostic.severity)).append(" ").append(message(diagnostic));
+    for (const RelatedPlace& place : diagnostic.related) {
+      append(out, snapshot.absolute(place.where));
+      out += place.message;
+    }
+    for (const Fix& fix : diagnostic.fixes) {
+      out += " fix " + fix.title;
+      for (const Edit& edit : fix.edits) {
+        append(out, snapshot.absolute(edit.where));
+        out += edit.replacement;
+      }
+    }
+    out += '\n';
+  }
+}
+
+/// All that a user can see of a document.
+std::string everything_of(const Snapshot& snapshot) {
+  std::string out = snapshot.root_name() + (snapshot.is_ours() ? " ours\n" : " foreign\n");
+  append_diagnostics(out, snapshot);
+  append_symbols(out, features::document_symbols(snapshot));
+  for (const Definition& definition : snapshot.definitions()) {
+    out += signature_text(definition.checked->signature) + (definition.in_force ? "" : " hidden") +
+           (definition.is_used ? " used" : "") + (definition.checked->usable ? "" : " unusable");
+  }
+  for (const features::SemanticToken& token : features::semantic_tokens(snapshot, {0, snapshot.text().size()})) {
+    append(out, token.span);
+    out += std::to_string(static_cast<int>(token.type)) + '/' + std::to_string(token.modifiers);
+  }
+  for (uint32_t offset = 0; offset < snapshot.text().size(); offset += 7) {
+    if (const auto hover = features::hover(snapshot, offset, features::Markup::PlainText)) out += hover->text;
+  }
+  const Result<ir::Program> program = snapshot.program();
+  if (!program) return out + program.error();
+  const emit::Target* glsl = emit::find_target("glsl");
+  const auto code = glsl->emit(*program, {});
+  return out + (code ? *code : code.error());
+}
+
+std::string block(const std::string& equation) {
+  return "\\begin{equation}\n  " + equation + "\n\\end{equation}\n";
+}
+
+/// A valid document of sixty blocks with chains, functions, colours and conventions.
+std::string sound_document(Random& random) {
+  std::string text = "\\documentclass{article}\n\\begin{document}\nProse with $x$ and 5\\%.\n";
+  text += block("\\rho_d = \\vec{0.5, 0.25, 0.125} % range [0, 1]") + block("m = 0.3");
+  text += block("g(x) = \\frac{x}{x + 1}") + block("h(\\vec{u}, x) = \\vec{u} \\cdot \\vec{n} * g(x)");
+  for (int i = 0; i < 55; ++i) {
+    const std::string name = "a_{" + std::to_string(i) + "}";
+    const std::string earlier = i == 0 ? "m" : "a_{" + std::to_string(random() % static_cast<unsigned>(i)) + "}";
+    const std::string bodies[] = {"g(" + earlier + ") + \\theta_h", earlier + " * 0.5 + m",
+                                  "\\max(" + earlier + ", 0.25)",
+                                  "h(\\vec{\\omega_i}, " + earlier + ") * \\cos{\\theta_o}"};
+    text += "Term number " + std::to_string(i) + ".\n" + block(name + " = " + bodies[random() % 4]);
+  }
+  return text + block("f = \\rho_d * a_{54} + \\vec{1, 1, 1} * a_{53}") + "\\end{document}\n";
+}
+
+/// Edits as people make them, and as nobody should.
+class Editor {
+ public:
+  Editor(std::string text, unsigned seed) : document_(text), text_(std::move(text)), random_(seed) {}
+
+  const std::string& text() const { return text_; }
+  Document& document() { return document_; }
+
+  void step() {
+    // More often than not the last edit is taken back: most states of a document that is written are sound.
+    if (!undo_.empty() && below(100) < 65) {
+      undo();
+    } else if (below(100) < 55) {
+      sound_edit();
+    } else {
+      wild_edit();
+    }
+  }
+
+ private:
+  struct Inverse {
+    size_t begin;
+    size_t size;
+    std::string text;
+  };
+
+  size_t below(size_t limit) { return limit == 0 ? 0 : random_() % limit; }
+
+  void replace(size_t begin, size_t size, const std::string& by) {
+    undo_.push_back({begin, by.size(), text_.substr(begin, size)});
+    apply(begin, size, by);
+  }
+  void apply(size_t begin, size_t size, const std::string& by) {
+    text_.replace(begin, size, by);
+    document_.replace({static_cast<uint32_t>(begin), static_cast<uint32_t>(begin + size)}, by);
+  }
+  void undo() {
+    const Inverse last = undo_.back();
+    undo_.pop_back();
+    apply(last.begin, last.size, last.text);
+  }
+
+  size_t find_from_anywhere(std::string_view wanted) {
+    const size_t found = text_.find(wanted, below(text_.size()));
+    return found == std::string::npos ? text_.find(wanted) : found;
+  }
+
+  void sound_edit() {
+    switch (below(4)) {
+      case 0: {
+        const size_t digit = text_.find_first_of("123456789", below(text_.size()));
+        const bool is_number = digit != std::string::npos && digit > 0 && text_[digit - 1] == '.';
+        if (is_number) replace(digit, 1, std::to_string(1 + below(9)));
+        return;
+      }
+      case 1: {
+        const size_t line = find_from_anywhere("\n\\begin{equation}");
+        if (line != std::string::npos) replace(line, 0, "\nMore prose.");
+        return;
+      }
+      case 2: {
+        const size_t line = find_from_anywhere("\nTerm number");
+        if (line != std::string::npos) replace(line, 0, "\n" + block("z_{" + std::to_string(++fresh_) + "} = m + 1"));
+        return;
+      }
+      default: {
+        const size_t plus = find_from_anywhere(" + ");
+        if (plus != std::string::npos) replace(plus, 3, " - ");
+        return;
+      }
+    }
+  }
+
+  void wild_edit() {
+    static const std::vector<std::string> pieces = {"%",
+                                                    "\\begin{equation}",
+                                                    "\\end{equation}",
+                                                    "{",
+                                                    "}",
+                                                    "$",
+                                                    "\\rho_d",
+                                                    "a_{7}",
+                                                    "f",
+                                                    "(",
+                                                    ")",
+                                                    "\n\n",
+                                                    "\\vec{",
+                                                    "\\sin",
+                                                    "\\",
+                                                    "= ",
+                                                    "\\begin{verbatim}",
+                                                    "\\end{verbatim}",
+                                                    "m",
+                                                    "\\theta_h",
+                                                    "\\input",
+                                                    "\\end{document}",
+                                                    "% texbrdf: root = a_{3}\n",
+                                                    "\r\n",
+                                                    "% texbrdf: ignore\n",
+                                                    "% texbrdf: allow E3013\n",
+                                                    "ω",
+                                                    "\xff",
+                                                    "\n" + block("m = 2"),
+                                                    "\n" + block("f_r = \\theta_h")};
+    const size_t at = below(text_.size() + 1);
+    switch (below(5)) {
+      case 0:
+      case 1:
+        replace(at, 0, pieces[below(pieces.size())]);
+        return;
+      case 2:
+        replace(at, std::min(text_.size() - at, 1 + below(12)), "");
+        return;
+      case 3:
+        replace(at, std::min(text_.size() - at, below(400)), pieces[below(pieces.size())]);
+        return;
+      default: {
+        // A region moves elsewhere.
+        const std::string region = text_.substr(at, below(300));
+        replace(at, region.size(), "");
+        replace(below(text_.size() + 1), 0, region);
+        return;
+      }
+    }
+  }
+
+  Document document_;
+  std::string text_;
+  Random random_;
+  std::vector<Inverse> undo_;
+  int fresh_ = 0;
+};
+
+unsigned seed_of_this_run() {
+  const char* given = std::getenv("TEXBRDF_SEED");
+  return given == nullptr ? std::random_device{}() : static_cast<unsigned>(std::strtoul(given, nullptr, 10));
+}
+
+TEST(Incremental, AfterAnyEditsADocumentIsWhatAFreshOneWouldBe) {
+  const unsigned seed = seed_of_this_run();
+  std::cout << "TEXBRDF_SEED=" << seed << '\n';
+  constexpr int kRounds = 8;
+  constexpr int kSteps = 250;
+  int sound = 0;
+  int compared = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    Random random(seed + static_cast<unsigned>(round));
+    Editor editor(sound_document(random), random());
+    for (int step = 0; step < kSteps; ++step) {
+      editor.step();
+      if (random() % 5 == 0) continue;  // two edits between snapshots
+      Document fresh = Document(editor.text());
+      const Snapshot& snapshot = editor.document().snapshot();
+      ASSERT_EQ(snapshot.text().bytes(), editor.text());
+      ASSERT_EQ(everything_of(snapshot), everything_of(fresh.snapshot()))
+          << "TEXBRDF_SEED=" << seed << ", round " << round << ", step " << step << "\n"
+          << editor.text();
+      ++compared;
+      if (!snapshot.has_errors() && snapshot.blocks().size() >= 50) ++sound;
+    }
+  }
+  std::cout << compared << " states compared, " << sound << " of them sound and of 50 blocks or more\n";
+  EXPECT_GE(sound * 10, compared * 3);
+}
+
+}  // namespace
+}  // namespace texbrdf
