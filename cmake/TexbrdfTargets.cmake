@@ -7,6 +7,9 @@ target_compile_options(texbrdf_options INTERFACE
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # g++ 12 warns of impossible overlaps in std::string's operator+ (GCC bug 105651).
   target_compile_options(texbrdf_options INTERFACE -Wno-restrict)
+elseif(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  # The stable_sort of libstdc++ 12 uses what C++17 deprecates, and clang says so.
+  target_compile_options(texbrdf_options INTERFACE -Wno-deprecated-declarations)
 endif()
 if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU" OR NOT TEXBRDF_SANITIZERS)
   target_compile_options(texbrdf_options INTERFACE -ffunction-sections -fdata-sections)

@@ -19,7 +19,7 @@ enum class Format : uint8_t { Text, Json, Sarif };
 
 struct CheckOptions {
   std::vector<std::string> files;
-  std::string root = "f";
+  std::string root;
   Format format = Format::Text;
   std::string output = "-";
 };
@@ -43,11 +43,8 @@ std::string formatted(std::span<const CheckedFile> files, const CheckOptions& op
 }
 
 ExitCode check(const CheckOptions& options) {
-  const std::optional<std::string> root = canonical_name(options.root);
-  if (!root) {
-    print_message(fmt::format("--root takes a name, got '{}'", options.root));
-    return ExitCode::BadUsage;
-  }
+  const std::optional<std::string> root = root_option(options.root);
+  if (!root) return ExitCode::BadUsage;
   ExitCode exit_code = ExitCode::Fine;
   std::deque<NamedDocument> documents;  // snapshots must stay where they are
   std::vector<CheckedFile> files;
@@ -75,9 +72,7 @@ Subcommand add_check(CLI::App& program) {
   const auto options = std::make_shared<CheckOptions>();
   CLI::App* const arguments = program.add_subcommand("check", "Report what is wrong with documents");
   arguments->add_option("FILE", options->files, "LaTeX documents, - for standard input")->required();
-  arguments->add_option("--root", options->root, "the definition that is the BRDF")
-      ->type_name("NAME")
-      ->capture_default_str();
+  add_root_option(*arguments, options->root);
   const std::map<std::string, Format> formats{{"text", Format::Text}, {"json", Format::Json}, {"sarif", Format::Sarif}};
   arguments->add_option("--format", options->format, "text (for people), json or sarif")
       ->transform(CLI::CheckedTransformer(formats).description(""))

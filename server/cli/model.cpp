@@ -60,33 +60,33 @@ std::variant<NamedDocument, ExitCode> read_document(const std::string& path) {
   return NamedDocument{input_name(path), Document(*std::move(bytes))};
 }
 
-std::optional<std::string> canonical_name(std::string_view spelling) {
-  const std::string document = fmt::format("\\begin{{equation}}{}=0\\end{{equation}}", spelling);
-  const std::vector<BlockExtent> extents = scan_blocks(document);
-  if (extents.size() != 1) return std::nullopt;
-  const ParsedBlock block = parse_block(document, extents.front());
-  if (!block.diagnostics.empty() || block.definitions.size() != 1) return std::nullopt;
-  const DefinitionSyntax& definition = block.definitions.front();
-  if (definition.left != definition.name) return std::nullopt;
-  return canonical_form(read_name(block, definition.name));
+void add_root_option(CLI::App& arguments, std::string& root) {
+  arguments
+      .add_option(
+          "--root", root,
+          "the definition that is the BRDF; else what the document says (% texbrdf: root = NAME), or the one of f, f_r, "
+          "f_s, f_{...} that the others serve")
+      ->type_name("NAME");
+}
+
+std::optional<std::string> root_option(const std::string& typed) {
+  if (typed.empty()) return std::string();
+  std::optional<std::string> root = canonical_name(typed);
+  if (!root) print_message(fmt::format("--root takes a name, got '{}'", typed));
+  return root;
 }
 
 void add_model_options(CLI::App& arguments, ModelOptions& options) {
   arguments.add_option("FILE", options.file, "a LaTeX document, - for standard input")->required();
-  arguments.add_option("--root", options.root, "the definition that is the BRDF")
-      ->type_name("NAME")
-      ->capture_default_str();
+  add_root_option(arguments, options.root);
   arguments.add_option("--set", options.settings, "another value for a parameter: m=0.2, \\rho_d=0.1,0.2,0.3")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
 }
 
 std::variant<Model, ExitCode> load_model(const ModelOptions& options) {
-  const std::optional<std::string> root = canonical_name(options.root);
-  if (!root) {
-    print_message(fmt::format("--root takes a name, got '{}'", options.root));
-    return ExitCode::BadUsage;
-  }
+  const std::optional<std::string> root = root_option(options.root);
+  if (!root) return ExitCode::BadUsage;
   const Result<Values> values = read_settings(options.settings);
   if (!values) {
     print_message(values.error());

@@ -22,14 +22,15 @@ struct NamedDocument {
 /// Reads FILE; says on standard error why it cannot be read.
 std::variant<NamedDocument, ExitCode> read_document(const std::string& path);
 
-/// The canonical form of a name as a person types it on the command line: `x_1` gives `x_1`, `\vec{n}` gives `\vec{n}`.
-/// Nothing where it is no name.
-std::optional<std::string> canonical_name(std::string_view spelling);
+/// Declares --root.
+void add_root_option(CLI::App& arguments, std::string& root);
+/// The canonical name of what --root was given, empty where it was not; says on standard error where it is no name.
+std::optional<std::string> root_option(const std::string& typed);
 
 /// Which model of a document a command is about: FILE, --root and --set.
 struct ModelOptions {
   std::string file;
-  std::string root = "f";
+  std::string root;                   ///< as typed; empty: the document decides
   std::vector<std::string> settings;  ///< NAME=VALUE, as typed
 };
 

@@ -2,16 +2,19 @@
 
 namespace texbrdf::features {
 
-std::vector<ShownDiagnostic> diagnostics(const Snapshot& snapshot) {
-  std::vector<ShownDiagnostic> shown;
-  for (const Diagnostic& diagnostic : snapshot.diagnostics()) {
-    ShownDiagnostic& added = shown.emplace_back(ShownDiagnostic{
-        snapshot.absolute(diagnostic.where), diagnostic.severity, code_name(diagnostic.code), message(diagnostic), {}});
-    for (const RelatedPlace& place : diagnostic.related) {
-      added.related.push_back({snapshot.absolute(place.where), place.message});
-    }
+ShownDiagnostic shown(const Snapshot& snapshot, const Diagnostic& diagnostic) {
+  ShownDiagnostic result{
+      snapshot.absolute(diagnostic.where), diagnostic.severity, code_name(diagnostic.code), message(diagnostic), {}};
+  for (const RelatedPlace& place : diagnostic.related) {
+    result.related.push_back({snapshot.absolute(place.where), place.message});
   }
-  return shown;
+  return result;
+}
+
+std::vector<ShownDiagnostic> diagnostics(const Snapshot& snapshot) {
+  std::vector<ShownDiagnostic> all;
+  for (const Diagnostic& diagnostic : snapshot.diagnostics()) all.push_back(shown(snapshot, diagnostic));
+  return all;
 }
 
 }  // namespace texbrdf::features

@@ -21,6 +21,7 @@ struct ShownDiagnostic {
   std::vector<RelatedText> related;
 };
 
+ShownDiagnostic shown(const Snapshot& snapshot, const Diagnostic& diagnostic);
 /// All diagnostics of the document, in document order.
 std::vector<ShownDiagnostic> diagnostics(const Snapshot& snapshot);
 

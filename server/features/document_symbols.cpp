@@ -6,24 +6,28 @@ namespace texbrdf::features {
 namespace {
 
 Symbol parameter_symbol(const Snapshot& snapshot, BlockId block, const CheckedParameter& parameter) {
-  const Span span = node_span(snapshot, block, parameter.node);
+  const Span span = snapshot.parsed(block).span(parameter.node);
   return {snapshot.names().text(parameter.name),
           std::string(type_symbol(parameter.type)),
           SymbolKind::Parameter,
+          block,
           span,
           span,
           {}};
 }
 
-Symbol definition_symbol(const Snapshot& snapshot, DefinitionId id) {
-  const Definition& definition = snapshot.definition(id);
+Symbol definition_symbol(const Snapshot& snapshot, const Definition& definition) {
+  const ParsedBlock& parsed = snapshot.parsed(definition.block);
+  const DefinitionSyntax& syntax = parsed.definitions[definition.index_in_block];
   const Signature& signature = definition.checked->signature;
   Symbol symbol{snapshot.names().text(definition.name),
                 signature_text(signature),
                 signature.is_function ? SymbolKind::Function : SymbolKind::Variable,
-                definition_span(snapshot, id),
-                name_span(snapshot, id),
+                definition.block,
+                definition_span(parsed, syntax),
+                parsed.span(syntax.name),
                 {}};
+  symbol.children.reserve(definition.checked->parameters.size());
   for (const CheckedParameter& parameter : definition.checked->parameters) {
     symbol.children.push_back(parameter_symbol(snapshot, definition.block, parameter));
   }
@@ -33,10 +37,11 @@ Symbol definition_symbol(const Snapshot& snapshot, DefinitionId id) {
 }  // namespace
 
 std::vector<Symbol> document_symbols(const Snapshot& snapshot) {
-  const auto count = static_cast<uint32_t>(snapshot.definitions().size());
   std::vector<Symbol> symbols;
-  symbols.reserve(count);
-  for (uint32_t i = 0; i < count; ++i) symbols.push_back(definition_symbol(snapshot, DefinitionId{i}));
+  symbols.reserve(snapshot.definitions().size());
+  for (const Definition& definition : snapshot.definitions()) {
+    symbols.push_back(definition_symbol(snapshot, definition));
+  }
   return symbols;
 }
 

@@ -5,10 +5,9 @@
 #include <string>
 
 #include "analysis/snapshot.h"
+#include "features/describe.h"
 
 namespace texbrdf::features {
-
-enum class Markup : uint8_t { Markdown, PlainText };
 
 struct Hover {
   std::string text;

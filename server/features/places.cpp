@@ -6,14 +6,17 @@ Span node_span(const Snapshot& snapshot, BlockId block, NodeId node) {
   return snapshot.absolute(block, snapshot.parsed(block).span(node));
 }
 
-/// A definition that was broken off may have the block's \end as its last token; that is no part of what is shown.
 Span definition_span(const Snapshot& snapshot, DefinitionId id) {
   const BlockId block = snapshot.definition(id).block;
-  const ParsedBlock& parsed = snapshot.parsed(block);
-  const Node& node = parsed.tree.node(snapshot.syntax(id).node);
+  return snapshot.absolute(block, definition_span(snapshot.parsed(block), snapshot.syntax(id)));
+}
+
+/// A definition that was broken off may have the block's \end as its last token; that is no part of what is shown.
+Span definition_span(const ParsedBlock& block, const DefinitionSyntax& definition) {
+  const Node& node = block.tree.node(definition.node);
   uint32_t last = node.end_token - 1;
-  while (last > node.first_token && parsed.tokens[last].kind == TokenKind::End) --last;
-  return snapshot.absolute(block, join(parsed.tokens[node.first_token].span, parsed.tokens[last].span));
+  while (last > node.first_token && block.tokens[last].kind == TokenKind::End) --last;
+  return join(block.tokens[node.first_token].span, block.tokens[last].span);
 }
 
 Span name_span(const Snapshot& snapshot, DefinitionId id) {

@@ -8,8 +8,9 @@ namespace texbrdf::features {
 
 /// Absolute range of a node of the block.
 Span node_span(const Snapshot& snapshot, BlockId block, NodeId node);
-/// Left side, `=` and right side.
+/// Left side, `=` and right side; in the document, or relative to the block.
 Span definition_span(const Snapshot& snapshot, DefinitionId id);
+Span definition_span(const ParsedBlock& block, const DefinitionSyntax& definition);
 /// The defined name on the left side.
 Span name_span(const Snapshot& snapshot, DefinitionId id);
 /// Counted from 1, as people do.

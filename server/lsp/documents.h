@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "analysis/document.h"
+#include "features/name_index.h"
+#include "lsp/semantic_token_cache.h"
 
 namespace texbrdf::lsp {
 
@@ -15,7 +17,12 @@ struct OpenDocument {
   std::string uri;
   Document document;
   std::optional<int64_t> version;
-  bool published = false;  ///< the client has the diagnostics of this version
+  bool published = false;   ///< the client has the diagnostics of this version
+  uint64_t pulled_id = 0;   ///< of the last result that the client pulled; 0: none
+  std::string pulled = {};  ///< that result's diagnostics as JSON
+
+  SemanticTokenCache semantic_tokens = {};
+  features::NameIndex name_index = {};
 };
 
 /// The documents that the client has open, by their URIs as the client writes them.

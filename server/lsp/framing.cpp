@@ -79,7 +79,7 @@ FrameDecoder::HeaderState FrameDecoder::read_header(std::string& problem) {
   std::size_t line_begin = 0;
   for (;;) {
     const std::size_t newline = input.find('\n', line_begin);
-    if (newline == std::string_view::npos || newline > kMaxHeaderBytes) {
+    if (newline > kMaxHeaderBytes) {  // npos too
       if (input.size() <= kMaxHeaderBytes) return HeaderState::Incomplete;
       problem = fmt::format("no end of the header within {} bytes", kMaxHeaderBytes);
       consume(1);

@@ -35,6 +35,17 @@ bool is_response(const json& message) {
   return message.contains("id") && (message.contains("result") || message.contains("error"));
 }
 
+void read_outcome(json& response, IncomingMessage& out) {
+  const auto error = response.find("error");
+  if (error == response.end() || error->is_null()) {
+    const auto result = response.find("result");
+    out.result = std::make_shared<json>(result == response.end() ? json() : std::move(*result));
+    return;
+  }
+  const json text = error->is_object() ? error->value("message", json()) : json();
+  out.problem.message = text.is_string() ? text.get<std::string>() : "without a reason";
+}
+
 }  // namespace
 
 IncomingMessage parse_message(std::string_view body) {
@@ -59,6 +70,7 @@ IncomingMessage parse_message(std::string_view body) {
   if (method == message.end()) {
     if (!is_response(message)) return invalid("the message has no `method`");
     result.kind = IncomingMessage::Kind::Response;
+    read_outcome(message, result);
     return result;
   }
   if (!method->is_string()) return invalid("`method` is not a string");

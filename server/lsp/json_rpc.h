@@ -20,6 +20,7 @@ enum class ErrorCode : int {
   InternalError = -32603,
   ServerNotInitialized = -32002,
   RequestCancelled = -32800,
+  RequestFailed = -32803,
 };
 
 struct ResponseError {
@@ -35,7 +36,9 @@ struct IncomingMessage {
   std::string id;
   std::string method;
   std::shared_ptr<nlohmann::json> params;  ///< object, array or null; never nullptr for requests and notifications
-  ResponseError problem{};                 ///< of a Broken one
+  /// Of a Response; nullptr where it is an error, which is then `problem`.
+  std::shared_ptr<nlohmann::json> result;
+  ResponseError problem{};  ///< of a Broken one
 };
 
 /// Never fails: what is no JSON or no message is Broken. Nesting and the number of values are limited, so that the

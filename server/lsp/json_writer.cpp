@@ -84,10 +84,16 @@ void JsonWriter::close(char bracket) {
 }
 
 void JsonWriter::key(std::string_view name) {
-  separate();
-  text_ += '"';
+  text_ += comma_ ? ",\"" : "\"";
   text_ += name;
   text_ += "\":";
+  comma_ = false;
+}
+
+void JsonWriter::text_key(std::string_view name) {
+  separate();
+  quoted(name);
+  text_ += ':';
   comma_ = false;
 }
 

@@ -18,6 +18,8 @@ class JsonWriter {
 
   /// `name` is ASCII that needs no escapes.
   void key(std::string_view name);
+  /// Any text as a key.
+  void text_key(std::string_view name);
 
   void value(std::string_view text);
   void value(const char* text) { value(std::string_view(text)); }
@@ -34,6 +36,9 @@ class JsonWriter {
     key(name);
     value(content);
   }
+
+  /// Room for about so many more bytes, so that a large result is not copied while it grows.
+  void reserve(std::size_t bytes) { text_.reserve(text_.size() + bytes); }
 
   const std::string& text() const { return text_; }
   std::string take() { return std::move(text_); }

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "lsp/capabilities.h"
+#include "lsp/markup.h"
 #include "lsp/session.h"
 
 namespace texbrdf::lsp {
@@ -33,9 +35,24 @@ std::string_view encoding_name(ColumnUnit unit) {
   return {};
 }
 
-features::Markup preferred_markup(const std::vector<std::string>& formats) {
-  const bool plain = !formats.empty() && formats.front() == "plaintext";
-  return plain ? features::Markup::PlainText : features::Markup::Markdown;
+/// Its options, or just that it is there.
+void write_provider(JsonWriter& out, Feature feature, const InitializeParams& client) {
+  JsonWriter options;
+  options.begin_object();
+  write_provider_options(options, feature, client);
+  options.end_object();
+  out.raw(options.text() == "{}" ? "true" : options.text());
+}
+
+void write_workspace_capabilities(JsonWriter& out) {
+  out.key("workspace");
+  out.begin_object();
+  out.key("workspaceFolders");
+  out.begin_object();
+  out.member("supported", true);
+  out.member("changeNotifications", true);
+  out.end_object();
+  out.end_object();
 }
 
 }  // namespace
@@ -45,7 +62,10 @@ Session::Outcome Session::initialize(const InitializeParams& params, JsonWriter&
   phase_ = Phase::Running;
   client_ = params;
   unit_ = negotiated_unit(params.position_encodings);
-  hover_markup_ = preferred_markup(params.hover_formats);
+  hover_markup_ = preferred_markup(params.hover_formats, features::Markup::Markdown);
+  settings_ = params.settings;
+  log_.set_level(chosen_log_level());
+  for (const std::string& folder : params.folders) folders_.add(folder);
   greet_client();
   result.begin_object();
   result.key("capabilities");
@@ -62,6 +82,7 @@ Session::Outcome Session::initialize(const InitializeParams& params, JsonWriter&
 void Session::greet_client() {
   const std::string name = client_.client_name.empty() ? "without a name" : client_.client_name;
   log_.info(fmt::format("client {} {}, positions in {}", name, client_.client_version, encoding_name(unit_)));
+  for (const std::string& problem : client_.setting_problems) log_.warning(problem);
   if (client_.process_id && !client_process_.watch(*client_.process_id)) {
     log_.warning(fmt::format("client process {} cannot be watched", *client_.process_id));
   }
@@ -76,14 +97,18 @@ void Session::write_capabilities(JsonWriter& out) const {
   out.member("change", kIncrementalSync);
   out.member("save", true);
   out.end_object();
-  out.member("hoverProvider", true);
-  out.member("definitionProvider", true);
-  out.member("referencesProvider", true);
-  out.member("documentSymbolProvider", true);
+  for (const Provider& provider : providers()) {
+    if (!is_announced(provider.feature, client_, settings_)) continue;
+    out.key(provider.capability);
+    write_provider(out, provider.feature, client_);
+  }
+  write_workspace_capabilities(out);
   out.end_object();
 }
 
 std::string Session::initialized(const NoParams&) {
+  watch_configuration();
+  if (client_.configuration) ask_for_configuration();
   return {};
 }
 
@@ -92,8 +117,14 @@ Session::Outcome Session::shutdown(const NoParams&, JsonWriter& result) {
   shut_down_ = true;
   documents_ = {};
   closed_.clear();
+  outbox_.forget_requests();
   result.null();
   return std::nullopt;
+}
+
+bool Session::is_switched_off(std::string_view method) const {
+  const std::optional<Feature> feature = feature_of(method);
+  return feature && !settings_.shows(*feature);
 }
 
 std::string Session::exit(const NoParams&) {

@@ -23,6 +23,8 @@ class Log {
 
   Log(LogLevel level, Sink sink);
 
+  LogLevel level() const { return level_; }
+  void set_level(LogLevel level) { level_ = level; }
   bool shows(LogLevel level) const { return level <= level_; }
   void write(LogLevel level, std::string_view message);
 

@@ -4,7 +4,10 @@
 
 #include <chrono>
 #include <exception>
+#include <string_view>
 #include <utility>
+
+#include "lsp/progress.h"
 
 namespace texbrdf::lsp {
 namespace {
@@ -21,9 +24,14 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// "references" of "textDocument/references".
+std::string_view last_part(std::string_view method) {
+  return method.substr(method.rfind('/') + 1);
+}
+
 }  // namespace
 
-void MessageHandler::handle(MessageQueue::Entry entry) {
+void MessageHandler::handle(const MessageQueue::Entry& entry) {
   const IncomingMessage& message = entry.message;
   switch (message.kind) {
     case IncomingMessage::Kind::Request:
@@ -35,7 +43,7 @@ void MessageHandler::handle(MessageQueue::Entry entry) {
       handle_notification(message);
       return;
     case IncomingMessage::Kind::Response:
-      log_.debug(fmt::format("a response that nobody waits for: {}", message.id));
+      handle_response(message);
       return;
     case IncomingMessage::Kind::Broken:
       log_.error(fmt::format("broken message: {}", message.problem.message));
@@ -76,8 +84,13 @@ std::optional<ResponseError> MessageHandler::refusal(const IncomingMessage& mess
 /// A fault of ours in a handler is told and ends there.
 std::optional<ResponseError> MessageHandler::answer(const IncomingMessage& message, JsonWriter& result) {
   const Dispatcher::Request* handler = methods_.find_request(message.method);
+  if (session_.is_switched_off(message.method)) {
+    result.null();
+    return std::nullopt;
+  }
   if (handler == nullptr) return ResponseError{ErrorCode::MethodNotFound, "no method " + message.method};
   try {
+    const Progress progress(session_.outbox(), work_done_token(*message.params), last_part(message.method));
     return (*handler)(*message.params, result);
   } catch (const std::exception& fault) {
     log_.error(fmt::format("internal error in {}: {}", message.method, fault.what()));
@@ -100,6 +113,14 @@ void MessageHandler::handle_notification(const IncomingMessage& message) {
     log_.error(fmt::format("internal error in {}: {}", message.method, fault.what()));
   }
   log_.debug(fmt::format("{}: {:.3f} ms", message.method, watch.milliseconds()));
+}
+
+void MessageHandler::handle_response(const IncomingMessage& message) {
+  try {
+    session_.outbox().take_reply(message);
+  } catch (const std::exception& fault) {
+    log_.error(fmt::format("internal error in the reply {}: {}", message.id, fault.what()));
+  }
 }
 
 void MessageHandler::publish_next() {

@@ -20,15 +20,20 @@ class MessageHandler {
 
   /// All have to outlive the handler.
   MessageHandler(Session& session, const Dispatcher& methods, Log& log, Send send)
-      : session_(session), methods_(methods), log_(log), send_(std::move(send)) {}
+      : session_(session), methods_(methods), log_(log), send_(std::move(send)) {
+    session_.outbox().connect([this](const std::string& body) { this->send(body); });
+  }
+  MessageHandler(const MessageHandler&) = delete;
+  MessageHandler& operator=(const MessageHandler&) = delete;
 
-  void handle(MessageQueue::Entry entry);
+  void handle(const MessageQueue::Entry& entry);
   /// Sends the diagnostics of one document that the client lacks.
   void publish_next();
 
  private:
   void handle_request(const IncomingMessage& message, bool cancelled);
   void handle_notification(const IncomingMessage& message);
+  void handle_response(const IncomingMessage& message);
   std::optional<ResponseError> refusal(const IncomingMessage& message, bool cancelled) const;
   std::optional<ResponseError> answer(const IncomingMessage& message, JsonWriter& result);
   void send(const std::string& body);

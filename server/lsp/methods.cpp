@@ -8,6 +8,9 @@ void Session::bind_methods(Dispatcher& bind) {
   bind.request("shutdown", *this, &Session::shutdown);
   bind.notification("exit", *this, &Session::exit);
 
+  bind.notification("workspace/didChangeConfiguration", *this, &Session::did_change_configuration);
+  bind.notification("workspace/didChangeWorkspaceFolders", *this, &Session::did_change_workspace_folders);
+
   bind.notification("textDocument/didOpen", *this, &Session::did_open);
   bind.notification("textDocument/didChange", *this, &Session::did_change);
   bind.notification("textDocument/didSave", *this, &Session::did_save);
@@ -17,6 +20,22 @@ void Session::bind_methods(Dispatcher& bind) {
   bind.request("textDocument/definition", *this, &Session::definition);
   bind.request("textDocument/references", *this, &Session::references);
   bind.request("textDocument/documentSymbol", *this, &Session::document_symbol);
+  bind.request("textDocument/diagnostic", *this, &Session::diagnostic);
+  bind.request("textDocument/prepareRename", *this, &Session::prepare_rename);
+  bind.request("textDocument/rename", *this, &Session::rename);
+
+  bind.request("textDocument/semanticTokens/full", *this, &Session::semantic_tokens_full);
+  bind.request("textDocument/semanticTokens/full/delta", *this, &Session::semantic_tokens_delta);
+  bind.request("textDocument/semanticTokens/range", *this, &Session::semantic_tokens_range);
+  bind.request("textDocument/completion", *this, &Session::completion);
+  bind.request("completionItem/resolve", *this, &Session::resolve_completion);
+  bind.request("textDocument/signatureHelp", *this, &Session::signature_help);
+  bind.request("textDocument/codeAction", *this, &Session::code_action);
+  bind.request("textDocument/documentHighlight", *this, &Session::document_highlight);
+  bind.request("textDocument/foldingRange", *this, &Session::folding_range);
+  bind.request("textDocument/inlayHint", *this, &Session::inlay_hint);
+  bind.request("textDocument/codeLens", *this, &Session::code_lens);
+  bind.request("codeLens/resolve", *this, &Session::resolve_code_lens);
 
   bind.request("texbrdf/stats", *this, &Session::stats);
 }

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include "features/definition.h"
-#include "features/document_symbols.h"
 #include "features/references.h"
 #include "lsp/session.h"
 #include "lsp/uri.h"
@@ -58,20 +57,6 @@ Session::Outcome Session::references(const ReferenceParams& params, JsonWriter& 
   return std::nullopt;
 }
 
-Session::Outcome Session::document_symbol(const DocumentParams& params, JsonWriter& result) {
-  OpenDocument* open = documents_.find(params.uri);
-  if (open == nullptr) return not_open(params.uri);
-  const Snapshot& snapshot = open->document.snapshot();
-  const auto symbols = features::document_symbols(snapshot);
-  Positions positions(snapshot.text(), unit_);
-  if (client_.hierarchical_symbols) {
-    write_symbols(result, positions, symbols);
-  } else {
-    write_flat_symbols(result, positions, params.uri, symbols);
-  }
-  return std::nullopt;
-}
-
 Session::Outcome Session::stats(const NoParams&, JsonWriter& result) {
   result.begin_object();
   result.member("requests", traffic_.requests);
@@ -79,6 +64,10 @@ Session::Outcome Session::stats(const NoParams&, JsonWriter& result) {
   result.member("cancelled", traffic_.cancelled);
   result.member("errors", traffic_.errors);
   result.member("published", traffic_.published);
+  result.key("workspaceFolders");
+  result.begin_array();
+  for (const std::string& uri : folders_.uris()) result.value(uri);
+  result.end_array();
   result.key("documents");
   result.begin_array();
   for (auto& [uri, open] : documents_.all()) {

@@ -1,117 +1,57 @@
 #include "lsp/read_params.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "lsp/params_reader.h"
+#include "lsp/providers.h"
+
 namespace texbrdf::lsp {
-namespace {
 
 using nlohmann::json;
+using Reader = ParamsReader;
 
-/// The protocol's integers are 32 bits wide; what is beyond is read as the largest.
-constexpr int64_t kMaxInteger = INT32_MAX;
+namespace {
 
-/// Reads members and remembers the first that is missing or of the wrong kind. Members of nothing read as defaults,
-/// so that callers need no checks in between.
-class Reader {
- public:
-  const std::string& problem() const { return problem_; }
-
-  json* object(json* parent, const char* name) {
-    return required(parent, name, "an object", [](const json& v) { return v.is_object(); });
+std::vector<std::string> folder_uris(json* folders) {
+  std::vector<std::string> uris;
+  if (folders == nullptr || !folders->is_array()) return uris;
+  for (json& folder : *folders) {
+    std::string uri = Reader::text_or_empty(&folder, "uri");
+    if (!uri.empty()) uris.push_back(std::move(uri));
   }
-  json* array(json* parent, const char* name) {
-    return required(parent, name, "an array", [](const json& v) { return v.is_array(); });
-  }
-  std::string string(json* parent, const char* name) {
-    json* value = required(parent, name, "a string", [](const json& v) { return v.is_string(); });
-    return value == nullptr ? std::string{} : std::move(value->get_ref<std::string&>());
-  }
-  bool boolean(json* parent, const char* name) {
-    const json* value = required(parent, name, "a boolean", [](const json& v) { return v.is_boolean(); });
-    return value != nullptr && value->get<bool>();
-  }
-  int64_t integer(json* parent, const char* name) {
-    const json* value = required(parent, name, "an integer", is_integral);
-    return value == nullptr ? 0 : integer_of(*value);
-  }
-  uint32_t natural(json* parent, const char* name) {
-    const json* value =
-        required(parent, name, "a natural number", [](const json& v) { return is_integral(v) && integer_of(v) >= 0; });
-    return value == nullptr ? 0 : static_cast<uint32_t>(integer_of(*value));
-  }
-  Position position(json* parent, const char* name) {
-    json* value = object(parent, name);
-    return {natural(value, "line"), natural(value, "character")};
-  }
-  Range range(json* value) { return {position(value, "start"), position(value, "end")}; }
-
-  /// The member, or nullptr where it is absent or null.
-  static json* optional(json* parent, const char* name) {
-    if (parent == nullptr || !parent->is_object()) return nullptr;
-    const auto found = parent->find(name);
-    return found == parent->end() || found->is_null() ? nullptr : &*found;
-  }
-
-  void fail(std::string problem) {
-    if (problem_.empty()) problem_ = std::move(problem);
-  }
-
- private:
-  template <typename Predicate>
-  json* required(json* parent, const char* name, const char* kind, Predicate fits) {
-    if (parent == nullptr) return nullptr;
-    json* value = optional(parent, name);
-    if (value != nullptr && fits(*value)) return value;
-    fail(fmt::format("`{}` has to be {}", name, kind));
-    return nullptr;
-  }
-  /// Also 3.0, which some JSON libraries make of 3.
-  static bool is_integral(const json& value) {
-    if (!value.is_number_float()) return value.is_number_integer();
-    const double number = value.get<double>();
-    return number >= INT32_MIN && number <= INT32_MAX && number == static_cast<double>(static_cast<int64_t>(number));
-  }
-  static int64_t integer_of(const json& value) {
-    if (value.is_number_unsigned()) {
-      return static_cast<int64_t>(std::min<uint64_t>(value.get<uint64_t>(), kMaxInteger));
-    }
-    return std::clamp<int64_t>(value.get<int64_t>(), -kMaxInteger, kMaxInteger);
-  }
-
-  std::string problem_;
-};
-
-json* object_of(Reader& reader, json& params) {
-  if (params.is_object()) return &params;
-  reader.fail("`params` has to be an object");
-  return nullptr;
+  return uris;
 }
 
-std::string document_uri(Reader& reader, json* params) {
-  return reader.string(reader.object(params, "textDocument"), "uri");
+/// Clients from before there were several folders name one, as a URI or as a path.
+std::vector<std::string> workspace_folders(json* params) {
+  if (json* folders = Reader::optional(params, "workspaceFolders")) return folder_uris(folders);
+  if (std::string uri = Reader::text_or_empty(params, "rootUri"); !uri.empty()) return {std::move(uri)};
+  if (std::string path = Reader::text_or_empty(params, "rootPath"); !path.empty()) return {"file://" + path};
+  return {};
 }
 
-std::vector<std::string> strings(json* array) {
-  std::vector<std::string> result;
-  if (array == nullptr || !array->is_array()) return result;
-  for (const json& element : *array) {
-    if (element.is_string()) result.push_back(element.get<std::string>());
+void read_features(json* documents, json* workspace, InitializeParams& out) {
+  for (const Provider& provider : providers()) {
+    const auto index = static_cast<std::size_t>(provider.feature);
+    json* capability = Reader::optional(documents, provider.client_capability);
+    out.registration[index] = Reader::flag(capability, "dynamicRegistration");
+    out.refresh[index] = Reader::flag(Reader::optional(workspace, provider.refresh_capability), "refreshSupport");
   }
-  return result;
+  out.pull_diagnostics = Reader::optional(documents, "diagnostic") != nullptr;
+  out.prepare_rename = Reader::flag(Reader::optional(documents, "rename"), "prepareSupport");
 }
 
-bool flag(json* parent, const char* name) {
-  const json* value = Reader::optional(parent, name);
-  return value != nullptr && value->is_boolean() && value->get<bool>();
-}
-
-std::string text_or_empty(json* parent, const char* name) {
-  const json* value = Reader::optional(parent, name);
-  return value != nullptr && value->is_string() ? value->get<std::string>() : std::string{};
+void read_typing_features(json* documents, InitializeParams& out) {
+  json* item = Reader::optional(Reader::optional(documents, "completion"), "completionItem");
+  out.snippets = Reader::flag(item, "snippetSupport");
+  out.completion_formats = Reader::strings(Reader::optional(item, "documentationFormat"));
+  json* signature = Reader::optional(Reader::optional(documents, "signatureHelp"), "signatureInformation");
+  out.signature_formats = Reader::strings(Reader::optional(signature, "documentationFormat"));
+  out.label_offsets = Reader::flag(Reader::optional(signature, "parameterInformation"), "labelOffsetSupport");
+  json* action = Reader::optional(documents, "codeAction");
+  out.code_action_literals = Reader::optional(action, "codeActionLiteralSupport") != nullptr;
+  out.preferred_actions = Reader::flag(action, "isPreferredSupport");
 }
 
 }  // namespace
@@ -123,29 +63,47 @@ std::string read_params(json&, NoParams&) {
 /// What a client says of itself is taken as far as it is understood: odd capabilities are no reason to refuse it.
 std::string read_params(json& params, InitializeParams& out) {
   Reader reader;
-  json* object = object_of(reader, params);
+  json* object = reader.object_of(params);
   if (Reader::optional(object, "processId") != nullptr) out.process_id = reader.integer(object, "processId");
   json* client = Reader::optional(object, "clientInfo");
-  out.client_name = text_or_empty(client, "name");
-  out.client_version = text_or_empty(client, "version");
+  out.client_name = Reader::text_or_empty(client, "name");
+  out.client_version = Reader::text_or_empty(client, "version");
 
   json* capabilities = Reader::optional(object, "capabilities");
   json* documents = Reader::optional(capabilities, "textDocument");
   json* published = Reader::optional(documents, "publishDiagnostics");
-  out.position_encodings = strings(Reader::optional(Reader::optional(capabilities, "general"), "positionEncodings"));
-  out.hover_formats = strings(Reader::optional(Reader::optional(documents, "hover"), "contentFormat"));
-  out.definition_links = flag(Reader::optional(documents, "definition"), "linkSupport");
-  out.hierarchical_symbols = flag(Reader::optional(documents, "documentSymbol"), "hierarchicalDocumentSymbolSupport");
-  out.related_information = flag(published, "relatedInformation");
-  out.code_description = flag(published, "codeDescriptionSupport");
+  out.position_encodings =
+      Reader::strings(Reader::optional(Reader::optional(capabilities, "general"), "positionEncodings"));
+  out.hover_formats = Reader::strings(Reader::optional(Reader::optional(documents, "hover"), "contentFormat"));
+  out.definition_links = Reader::flag(Reader::optional(documents, "definition"), "linkSupport");
+  out.hierarchical_symbols =
+      Reader::flag(Reader::optional(documents, "documentSymbol"), "hierarchicalDocumentSymbolSupport");
+  out.related_information = Reader::flag(published, "relatedInformation");
+  read_typing_features(documents, out);
+  out.folds_lines_only = Reader::flag(Reader::optional(documents, "foldingRange"), "lineFoldingOnly");
+  json* extensions = Reader::optional(Reader::optional(capabilities, "experimental"), "texbrdf");
+  out.commands = Reader::strings(Reader::optional(extensions, "commands"));
+  out.code_description = Reader::flag(published, "codeDescriptionSupport");
+
+  json* workspace = Reader::optional(capabilities, "workspace");
+  json* changed_configuration = Reader::optional(workspace, "didChangeConfiguration");
+  read_features(documents, workspace, out);
+  out.versioned_edits = Reader::flag(Reader::optional(workspace, "workspaceEdit"), "documentChanges");
+  out.configuration = Reader::flag(workspace, "configuration");
+  out.configuration_registration = Reader::flag(changed_configuration, "dynamicRegistration");
+  out.work_done_progress = Reader::flag(Reader::optional(capabilities, "window"), "workDoneProgress");
+  out.folders = workspace_folders(object);
+  if (const json* options = Reader::optional(object, "initializationOptions")) {
+    out.setting_problems = apply_settings(*options, out.settings);
+  }
   return reader.problem();
 }
 
 std::string read_params(json& params, DidOpenParams& out) {
   Reader reader;
-  json* document = reader.object(object_of(reader, params), "textDocument");
+  json* document = reader.object(reader.object_of(params), "textDocument");
   out.uri = reader.string(document, "uri");
-  out.language_id = text_or_empty(document, "languageId");
+  out.language_id = Reader::text_or_empty(document, "languageId");
   out.version = reader.integer(document, "version");
   out.text = reader.string(document, "text");
   return reader.problem();
@@ -153,7 +111,7 @@ std::string read_params(json& params, DidOpenParams& out) {
 
 std::string read_params(json& params, DidChangeParams& out) {
   Reader reader;
-  json* object = object_of(reader, params);
+  json* object = reader.object_of(params);
   json* document = reader.object(object, "textDocument");
   out.uri = reader.string(document, "uri");
   if (Reader::optional(document, "version") != nullptr) out.version = reader.integer(document, "version");
@@ -173,24 +131,57 @@ std::string read_params(json& params, DidChangeParams& out) {
 
 std::string read_params(json& params, DocumentParams& out) {
   Reader reader;
-  out.uri = document_uri(reader, object_of(reader, params));
+  out.uri = reader.document_uri(reader.object_of(params));
   return reader.problem();
 }
 
 std::string read_params(json& params, PositionParams& out) {
   Reader reader;
-  json* object = object_of(reader, params);
-  out.uri = document_uri(reader, object);
+  json* object = reader.object_of(params);
+  out.uri = reader.document_uri(object);
   out.position = reader.position(object, "position");
+  return reader.problem();
+}
+
+std::string read_params(json& params, RangeParams& out) {
+  Reader reader;
+  json* object = reader.object_of(params);
+  out.uri = reader.document_uri(object);
+  out.range = reader.range(reader.object(object, "range"));
   return reader.problem();
 }
 
 std::string read_params(json& params, ReferenceParams& out) {
   Reader reader;
-  json* object = object_of(reader, params);
-  out.uri = document_uri(reader, object);
+  json* object = reader.object_of(params);
+  out.uri = reader.document_uri(object);
   out.position = reader.position(object, "position");
   out.include_declaration = reader.boolean(reader.object(object, "context"), "includeDeclaration");
+  return reader.problem();
+}
+
+std::string read_params(json& params, PullParams& out) {
+  Reader reader;
+  json* object = reader.object_of(params);
+  out.uri = reader.document_uri(object);
+  out.previous_result = Reader::text_or_empty(object, "previousResultId");
+  return reader.problem();
+}
+
+std::string read_params(json& params, RenameParams& out) {
+  Reader reader;
+  json* object = reader.object_of(params);
+  out.uri = reader.document_uri(object);
+  out.position = reader.position(object, "position");
+  out.new_name = reader.string(object, "newName");
+  return reader.problem();
+}
+
+std::string read_params(json& params, WorkspaceFoldersParams& out) {
+  Reader reader;
+  json* event = reader.object(reader.object_of(params), "event");
+  out.added = folder_uris(Reader::optional(event, "added"));
+  out.removed = folder_uris(Reader::optional(event, "removed"));
   return reader.problem();
 }
 

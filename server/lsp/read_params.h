@@ -15,6 +15,10 @@ std::string read_params(nlohmann::json& params, DidOpenParams& out);
 std::string read_params(nlohmann::json& params, DidChangeParams& out);
 std::string read_params(nlohmann::json& params, DocumentParams& out);
 std::string read_params(nlohmann::json& params, PositionParams& out);
+std::string read_params(nlohmann::json& params, RangeParams& out);
 std::string read_params(nlohmann::json& params, ReferenceParams& out);
+std::string read_params(nlohmann::json& params, PullParams& out);
+std::string read_params(nlohmann::json& params, RenameParams& out);
+std::string read_params(nlohmann::json& params, WorkspaceFoldersParams& out);
 
 }  // namespace texbrdf::lsp

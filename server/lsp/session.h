@@ -1,20 +1,31 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "features/code_actions.h"
 #include "features/hover.h"
 #include "lsp/client_process.h"
+#include "lsp/code_actions.h"
+#include "lsp/code_lenses.h"
+#include "lsp/completion.h"
+#include "lsp/configuration.h"
 #include "lsp/dispatcher.h"
 #include "lsp/documents.h"
 #include "lsp/json_rpc.h"
 #include "lsp/json_writer.h"
 #include "lsp/log.h"
+#include "lsp/outbox.h"
 #include "lsp/positions.h"
 #include "lsp/protocol.h"
+#include "lsp/providers.h"
+#include "lsp/semantic_tokens.h"
+#include "lsp/settings.h"
+#include "lsp/workspace_folders.h"
 #include "lsp/write_results.h"
 
 namespace texbrdf::lsp {
@@ -36,7 +47,14 @@ class Session {
 
   /// All have to outlive the session.
   Session(Log& log, ClientProcess& client_process, std::string_view version, std::string_view docs_url)
-      : log_(log), client_process_(client_process), program_version_(version), docs_url_(docs_url) {}
+      : log_(log),
+        client_process_(client_process),
+        program_version_(version),
+        docs_url_(docs_url),
+        first_log_level_(log.level()),
+        outbox_(log) {}
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
 
   /// The dispatch table: one line a method (methods.cpp).
   void bind_methods(Dispatcher& bind);
@@ -45,10 +63,15 @@ class Session {
   /// 0 where `shutdown` came before the end.
   int exit_status() const { return shut_down_ ? 0 : 1; }
   Traffic& traffic() { return traffic_; }
+  Outbox& outbox() { return outbox_; }
+  /// The method belongs to a feature that the client has switched off: it is answered with null.
+  bool is_switched_off(std::string_view method) const;
 
   /// The parameters of the next `publishDiagnostics` to send. Precondition: has_publications().
   void write_next_publication(JsonWriter& out);
-  bool has_publications() { return !closed_.empty() || documents_.next_unpublished() != nullptr; }
+  bool has_publications() {
+    return !closed_.empty() || (pushes_diagnostics() && documents_.next_unpublished() != nullptr);
+  }
 
  private:
   using Outcome = std::optional<ResponseError>;
@@ -66,13 +89,64 @@ class Session {
   std::string did_change(const DidChangeParams& params);
   std::string did_save(const DocumentParams& params);
   std::string did_close(const DocumentParams& params);
-  void apply(const ContentChange& change, Document& document) const;
+  void apply(const ContentChange& change, OpenDocument& open) const;
+  void analyse_visibly(OpenDocument& open);
+
+  // configuration.cpp
+  std::string did_change_configuration(const DidChangeConfigurationParams& params);
+  void watch_configuration();
+  void ask_for_configuration();
+  void configure(const nlohmann::json& section);
+  void adopt(const Settings& wanted);
+  void announce_anew(const Provider& provider);
+  bool is_kept(Feature feature) const;
+  LogLevel chosen_log_level() const;
+
+  // workspace.cpp
+  std::string did_change_workspace_folders(const WorkspaceFoldersParams& params);
+
+  // shown_diagnostics.cpp
+  Outcome diagnostic(const PullParams& params, JsonWriter& result);
+  bool is_pulled() const;
+  bool pushes_diagnostics() const { return settings_.shows(Feature::Diagnostics) && !is_pulled(); }
+  void publish_anew(bool pushed_before);
+  std::vector<features::ShownDiagnostic> shown_diagnostics(const Snapshot& snapshot) const;
+  std::vector<features::ShownDiagnostic> as_set(std::vector<features::ShownDiagnostic> shown) const;
+  DiagnosticStyle diagnostic_style() const;
+
+  // rename.cpp
+  Outcome prepare_rename(const PositionParams& params, JsonWriter& result);
+  Outcome rename(const RenameParams& params, JsonWriter& result);
+
+  // semantic_tokens.cpp
+  Outcome semantic_tokens_full(const DocumentParams& params, JsonWriter& result);
+  Outcome semantic_tokens_delta(const SemanticTokensDeltaParams& params, JsonWriter& result);
+  Outcome semantic_tokens_range(const RangeParams& params, JsonWriter& result);
+
+  // document_symbols.cpp, document_highlights.cpp, folding_ranges.cpp, inlay_hints.cpp
+  Outcome document_symbol(const DocumentParams& params, JsonWriter& result);
+  Outcome document_highlight(const PositionParams& params, JsonWriter& result);
+  Outcome folding_range(const DocumentParams& params, JsonWriter& result);
+  Outcome inlay_hint(const RangeParams& params, JsonWriter& result);
+
+  // code_lenses.cpp
+  Outcome code_lens(const DocumentParams& params, JsonWriter& result);
+  Outcome resolve_code_lens(const CodeLensParams& params, JsonWriter& result);
+
+  // completion.cpp, signature_help.cpp
+  Outcome completion(const PositionParams& params, JsonWriter& result);
+  Outcome resolve_completion(const CompletionItemParams& params, JsonWriter& result);
+  Outcome signature_help(const PositionParams& params, JsonWriter& result);
+
+  // code_actions.cpp
+  Outcome code_action(const CodeActionParams& params, JsonWriter& result);
+  void write_code_action(JsonWriter& out, Positions& positions, const OpenDocument& open,
+                         features::CodeAction& action) const;
 
   // queries.cpp
   Outcome hover(const PositionParams& params, JsonWriter& result);
   Outcome definition(const PositionParams& params, JsonWriter& result);
   Outcome references(const ReferenceParams& params, JsonWriter& result);
-  Outcome document_symbol(const DocumentParams& params, JsonWriter& result);
   Outcome stats(const NoParams& params, JsonWriter& result);
 
   static ResponseError not_open(std::string_view uri);
@@ -89,6 +163,14 @@ class Session {
   Documents documents_;
   std::vector<std::string> closed_;  ///< URIs whose diagnostics are to be taken away
   Traffic traffic_;
+  LogLevel first_log_level_;
+  Settings settings_;
+  std::array<bool, kFeatureCount> registered_{};  ///< by Feature: announced later than in the answer to `initialize`
+  WorkspaceFolders folders_;
+  uint64_t last_result_ = 0;        ///< id of the last pulled result
+  uint64_t last_progress_ = 0;      ///< token of the last progress that the server began
+  uint64_t last_token_result_ = 0;  ///< id of the last semantic tokens
+  Outbox outbox_;
 };
 
 }  // namespace texbrdf::lsp

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "lsp/progress.h"
 #include "lsp/session.h"
 #include "lsp/uri.h"
-#include "source/internal_error.h"
 
 namespace texbrdf::lsp {
 namespace {
+
+/// Documents from this size on take long enough to be worth a sign: about a tenth of a second.
+constexpr std::size_t kLargeDocumentBytes = std::size_t{1} << 20;
 
 std::string closed_problem(std::string_view uri) {
   return fmt::format("{} is not open", shown_path(uri));
@@ -19,31 +22,35 @@ std::string closed_problem(std::string_view uri) {
 std::string Session::did_open(const DidOpenParams& params) {
   if (params.text.size() > SourceText::kMaxBytes) return "the document is too long";
   std::erase(closed_, params.uri);
-  documents_.open(params.uri, params.text, params.version);
+  OpenDocument& open = documents_.open(params.uri, params.text, params.version);
   log_.debug(fmt::format("{} is open, {}, version {}, {} bytes", shown_path(params.uri), params.language_id,
                          params.version, params.text.size()));
+  if (client_.work_done_progress && params.text.size() >= kLargeDocumentBytes) analyse_visibly(open);
   return {};
 }
 
 std::string Session::did_change(const DidChangeParams& params) {
   OpenDocument* open = documents_.find(params.uri);
   if (open == nullptr) return closed_problem(params.uri);
-  for (const ContentChange& change : params.changes) apply(change, open->document);
+  for (const ContentChange& change : params.changes) apply(change, *open);
   open->version = params.version;
   open->published = false;
   return {};
 }
 
 /// Changes of one message are applied one after the other, each to the text that the one before left.
-void Session::apply(const ContentChange& change, Document& document) const {
+void Session::apply(const ContentChange& change, OpenDocument& open) const {
   if (!change.range) {
-    document.set_text(change.text);
+    open.document.set_text(change.text);
+    open.semantic_tokens.text_set();
     return;
   }
-  const SourceText& text = document.text();
+  const SourceText& text = open.document.text();
   const uint32_t begin = text.offset(change.range->start, unit_);
   const uint32_t end = text.offset(change.range->end, unit_);
-  document.replace({std::min(begin, end), std::max(begin, end)}, change.text);
+  const Span replaced{std::min(begin, end), std::max(begin, end)};
+  open.semantic_tokens.text_replaced(replaced, text.size());
+  open.document.replace(replaced, change.text);
 }
 
 std::string Session::did_save(const DocumentParams& params) {
@@ -52,26 +59,22 @@ std::string Session::did_save(const DocumentParams& params) {
 
 std::string Session::did_close(const DocumentParams& params) {
   if (!documents_.close(params.uri)) return closed_problem(params.uri);
-  closed_.push_back(params.uri);
+  if (pushes_diagnostics()) closed_.push_back(params.uri);
   return {};
 }
 
-void Session::write_next_publication(JsonWriter& out) {
-  const DiagnosticStyle style{client_.related_information, client_.code_description, docs_url_};
-  if (!closed_.empty()) {
-    const std::string uri = std::move(closed_.back());
-    closed_.pop_back();
-    const SourceText nothing;
-    Positions positions(nothing, unit_);
-    write_diagnostics(out, positions, uri, std::nullopt, {}, style);
-    return;
-  }
-  OpenDocument* open = documents_.next_unpublished();
-  require(open != nullptr, "nothing to publish");
-  open->published = true;
-  const Snapshot& snapshot = open->document.snapshot();
-  Positions positions(snapshot.text(), unit_);
-  write_diagnostics(out, positions, open->uri, open->version, features::diagnostics(snapshot), style);
+/// The first analysis of a large document, which is the only slow one. That the client knows the token is not waited
+/// for: it reads messages in their order.
+void Session::analyse_visibly(OpenDocument& open) {
+  const std::string token = fmt::format("\"texbrdf/{}\"", ++last_progress_);
+  outbox_.request("window/workDoneProgress/create", [&](JsonWriter& out) {
+    out.begin_object();
+    out.key("token");
+    out.raw(token);
+    out.end_object();
+  });
+  const Progress progress(outbox_, token, fmt::format("analysing {}", shown_path(open.uri)));
+  open.document.snapshot();
 }
 
 }  // namespace texbrdf::lsp

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <charconv>
+
 namespace texbrdf::lsp {
-namespace {
 
 void write_position(JsonWriter& out, Position position) {
   out.begin_object();
@@ -12,15 +15,26 @@ void write_position(JsonWriter& out, Position position) {
   out.end_object();
 }
 
+/// In one piece: large results are ranges for the most part.
 void write_range(JsonWriter& out, std::string_view key, Range range) {
+  std::array<char, 112> text;
+  char* end = text.data();
+  const auto literal = [&end](std::string_view piece) { end = std::ranges::copy(piece, end).out; };
+  const auto number = [&](uint32_t value) { end = std::to_chars(end, text.data() + text.size(), value).ptr; };
+  literal(R"({"start":{"line":)");
+  number(range.start.line);
+  literal(R"(,"character":)");
+  number(range.start.column);
+  literal(R"(},"end":{"line":)");
+  number(range.end.line);
+  literal(R"(,"character":)");
+  number(range.end.column);
+  literal("}}");
   out.key(key);
-  out.begin_object();
-  out.key("start");
-  write_position(out, range.start);
-  out.key("end");
-  write_position(out, range.end);
-  out.end_object();
+  out.raw({text.data(), end});
 }
+
+namespace {
 
 int severity_number(Severity severity) {
   switch (severity) {
@@ -34,46 +48,6 @@ int severity_number(Severity severity) {
       return 4;
   }
   return 1;
-}
-
-int symbol_kind_number(features::SymbolKind kind) {
-  constexpr int kFunction = 12;
-  constexpr int kVariable = 13;
-  constexpr int kTypeParameter = 26;
-  switch (kind) {
-    case features::SymbolKind::Function:
-      return kFunction;
-    case features::SymbolKind::Variable:
-      return kVariable;
-    case features::SymbolKind::Parameter:
-      return kTypeParameter;
-  }
-  return kVariable;
-}
-
-void write_symbol(JsonWriter& out, Positions& positions, const features::Symbol& symbol) {
-  out.begin_object();
-  out.member("name", symbol.name);
-  out.member("detail", symbol.type);
-  out.member("kind", symbol_kind_number(symbol.kind));
-  write_range(out, "range", positions.range(symbol.whole));
-  write_range(out, "selectionRange", positions.range(symbol.selection));
-  if (!symbol.children.empty()) {
-    out.key("children");
-    write_symbols(out, positions, symbol.children);
-  }
-  out.end_object();
-}
-
-void write_flat_symbol(JsonWriter& out, Positions& positions, std::string_view uri, const features::Symbol& symbol,
-                       std::string_view container) {
-  out.begin_object();
-  out.member("name", symbol.name);
-  out.member("kind", symbol_kind_number(symbol.kind));
-  out.key("location");
-  write_location(out, positions, uri, symbol.whole);
-  if (!container.empty()) out.member("containerName", container);
-  out.end_object();
 }
 
 void write_related(JsonWriter& out, Positions& positions, std::string_view uri,
@@ -138,18 +112,11 @@ void write_location(JsonWriter& out, Positions& positions, std::string_view uri,
   out.end_object();
 }
 
-void write_symbols(JsonWriter& out, Positions& positions, std::span<const features::Symbol> symbols) {
+void write_diagnostic_items(JsonWriter& out, Positions& positions, std::string_view uri,
+                            std::span<const features::ShownDiagnostic> diagnostics, const DiagnosticStyle& style) {
   out.begin_array();
-  for (const features::Symbol& symbol : symbols) write_symbol(out, positions, symbol);
-  out.end_array();
-}
-
-void write_flat_symbols(JsonWriter& out, Positions& positions, std::string_view uri,
-                        std::span<const features::Symbol> symbols) {
-  out.begin_array();
-  for (const features::Symbol& symbol : symbols) {
-    write_flat_symbol(out, positions, uri, symbol, {});
-    for (const features::Symbol& child : symbol.children) write_flat_symbol(out, positions, uri, child, symbol.name);
+  for (const features::ShownDiagnostic& diagnostic : diagnostics) {
+    write_diagnostic(out, positions, uri, diagnostic, style);
   }
   out.end_array();
 }
@@ -160,11 +127,7 @@ void write_diagnostics(JsonWriter& out, Positions& positions, std::string_view u
   out.member("uri", uri);
   if (version) out.member("version", *version);
   out.key("diagnostics");
-  out.begin_array();
-  for (const features::ShownDiagnostic& diagnostic : diagnostics) {
-    write_diagnostic(out, positions, uri, diagnostic, style);
-  }
-  out.end_array();
+  write_diagnostic_items(out, positions, uri, diagnostics, style);
   out.end_object();
 }
 

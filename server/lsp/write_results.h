@@ -9,7 +9,6 @@
 
 #include "features/definition.h"
 #include "features/diagnostics.h"
-#include "features/document_symbols.h"
 #include "features/hover.h"
 #include "lsp/json_writer.h"
 #include "lsp/positions.h"
@@ -18,15 +17,13 @@ namespace texbrdf::lsp {
 
 /// Results of features as the protocol's JSON.
 
+void write_position(JsonWriter& out, Position position);
+void write_range(JsonWriter& out, std::string_view key, Range range);
+
 void write_hover(JsonWriter& out, Positions& positions, const features::Hover& hover, features::Markup markup);
 void write_definition_link(JsonWriter& out, Positions& positions, std::string_view uri,
                            const features::DefinitionLink& link);
 void write_location(JsonWriter& out, Positions& positions, std::string_view uri, Span span);
-/// DocumentSymbol[]
-void write_symbols(JsonWriter& out, Positions& positions, std::span<const features::Symbol> symbols);
-/// SymbolInformation[], for clients that know no hierarchy.
-void write_flat_symbols(JsonWriter& out, Positions& positions, std::string_view uri,
-                        std::span<const features::Symbol> symbols);
 
 /// What the client understands of a diagnostic beyond its place and text.
 struct DiagnosticStyle {
@@ -34,6 +31,10 @@ struct DiagnosticStyle {
   bool code_description = false;
   std::string_view docs_url;  ///< of the page with an anchor for each code
 };
+
+/// Diagnostic[]
+void write_diagnostic_items(JsonWriter& out, Positions& positions, std::string_view uri,
+                            std::span<const features::ShownDiagnostic> diagnostics, const DiagnosticStyle& style);
 
 /// PublishDiagnosticsParams
 void write_diagnostics(JsonWriter& out, Positions& positions, std::string_view uri, std::optional<int64_t> version,

@@ -1,63 +1,78 @@
 // From any bytes to generated code and numbers: there is always an answer, and what is linked can be emitted and
 // evaluated.
-#include <array>
 #include <cstdint>
 #include <string>
 
 #include "analysis/document.h"
-#include "emit/emit.h"
-#include "eval/batch.h"
-#include "eval/compile.h"
-#include "ir/print.h"
-#include "ir/validate.h"
+#include "diagnostics/render_terminal.h"
+#include "exercise.h"
+#include "syntax/block_scanner.h"
 #include "syntax/print_source.h"
+#include "syntax/print_tree_svg.h"
+#include "syntax/print_tree_text.h"
 
 namespace {
 
 using namespace texbrdf;
 
 constexpr std::size_t kMaxInput = 1 << 14;
-constexpr uint32_t kMaxEvaluated = 20'000;  // values; more takes long and shows nothing new
+constexpr uint32_t kPlaces = 32;          // of a document, where names are looked for
+constexpr std::size_t kMaxReread = 2000;  // bytes; all brackets written, a deep tree may be too deep to be read
 
-/// What the printers, the positions and the fixes make of a snapshot.
-void read_all(const Snapshot& snapshot) {
+void read_diagnostics(const Snapshot& snapshot) {
+  const PlaceFinder place = [&snapshot](const Location& location) {
+    return Place{"a.tex", &snapshot.text(), snapshot.absolute(location)};
+  };
   for (const Diagnostic& diagnostic : snapshot.diagnostics()) {
     const Span span = snapshot.absolute(diagnostic.where);
     require(span.begin <= span.end && span.end <= snapshot.text().size(), "a diagnostic is outside the document");
-    snapshot.text().position(span.begin, ColumnUnit::Utf16);
-    require(!message(diagnostic).empty(), "a diagnostic says nothing");
-  }
-  for (const Block& block : snapshot.blocks()) {
-    for (const DefinitionSyntax& definition : block.parsed->definitions) {
-      if (definition.readable) print_source(*block.parsed, definition);
+    for (const ColumnUnit unit : {ColumnUnit::Utf8, ColumnUnit::Utf16, ColumnUnit::CodePoint}) {
+      require(snapshot.text().offset(snapshot.text().position(span.begin, unit), unit) <= span.begin,
+              "a place moves when it is written down");
     }
+    require(!message(diagnostic).empty(), "a diagnostic says nothing");
+    require(render_terminal(diagnostic, place, {.colour = true}).ends_with('\n'), "a message without an end");
   }
 }
 
-void evaluate(const ir::Program& program) {
-  const Result<eval::CompiledModel> model = eval::compile(program);
-  if (!model || model->unoptimised.size() > kMaxEvaluated) return;
-  const eval::Geometry geometry{.light = {0.6, 0, 0.8}, .view = {0, -0.28, 0.96}};
-  eval::ReferenceEvaluator(model->unoptimised).evaluate(geometry, model->parameters);
-
-  const std::array<float, 9> frame = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-  const std::array<float, 6> directions = {0.6F, 0, 0.8F, 0, -0.28F, 0.96F};
-  const auto vector = [](const float* at) { return std::array{at, at + 1, at + 2}; };
-  std::array<float, 3> value{};
-  eval::BatchEvaluator(model->optimised)
-      .evaluate({.count = 1,
-                 .light = vector(directions.data()),
-                 .view = vector(directions.data() + 3),
-                 .normal = vector(frame.data() + 6),
-                 .tangent = vector(frame.data()),
-                 .bitangent = vector(frame.data() + 3)},
-                model->parameters, {&value[0], &value[1], &value[2]});
+/// What is printed reads as the same again.
+void reread(const std::string& printed) {
+  if (printed.size() > kMaxReread) return;
+  const std::string text = "\\begin{equation}" + printed + "\\end{equation}";
+  const std::vector<BlockExtent> extents = scan_blocks(text);
+  require(extents.size() == 1, "what is printed is no block");
+  const ParsedBlock block = parse_block(text, extents[0]);
+  require(block.definitions.size() == 1 && block.definitions[0].readable, "what is printed cannot be read");
+  require(print_source(block, block.definitions[0]) == printed, "what is printed reads as something else");
 }
 
-void emit_all(const ir::Program& program) {
-  for (const emit::Target& target : emit::targets()) {
-    const Result<std::string> code = target.emit(program, {.parameters = emit::ParameterStyle::Uniform});
-    require(!code || !code->empty(), "a target writes nothing");
+void print_block(const ParsedBlock& block) {
+  print_tokens_text(block);
+  print_tree_text(block);
+  for (const DefinitionSyntax& definition : block.definitions) {
+    if (!definition.readable) continue;
+    reread(print_source(block, definition));
+    print_tree_svg({{.heading = "a", .tree = &block.tree, .root = definition.node, .label = [](NodeId) {
+                       return NodeLabel{.title = "<&\x01", .subtitle = "ℝ"};
+                     }}});
+  }
+}
+
+/// What an editor asks.
+void look_around(const Snapshot& snapshot) {
+  for (uint32_t i = 0; i < kPlaces; ++i) {
+    const auto occurrence = snapshot.occurrence_at(snapshot.text().size() * i / kPlaces);
+    if (occurrence) require(!snapshot.occurrences_of(*occurrence).empty(), "a name occurs nowhere");
+  }
+}
+
+/// The program with its parameters set from outside, as far as that is allowed.
+void set_parameters(const Snapshot& snapshot, std::string_view root, const ir::Program& program) {
+  for (const ir::Parameter& parameter : program.parameters) {
+    ir::LinkOptions options;
+    options.values[parameter.canonical] = {parameter.value[0] / 2};
+    const Result<ir::Program> changed = snapshot.program(root, options);
+    require(changed || parameter.type != Type::Real, "a parameter cannot be set");
   }
 }
 
@@ -67,15 +82,19 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, std::size_t size) {
   if (size > kMaxInput) return 0;
   Document document(std::string(reinterpret_cast<const char*>(data), size));
   const Snapshot& snapshot = document.snapshot();
-  read_all(snapshot);
-  for (const Definition& definition : snapshot.definitions()) {
+  read_diagnostics(snapshot);
+  for (uint32_t i = 0; i < snapshot.blocks().size(); ++i) print_block(snapshot.parsed({i}));
+  look_around(snapshot);
+  for (uint32_t i = 0; i < snapshot.definitions().size(); ++i) {
+    const Definition definition = snapshot.definition({i});
+    snapshot.constant_value({i});
+    require(!snapshot.equation({i}).empty(), "a definition without text");
     if (!definition.in_force) continue;
-    const Result<ir::Program> program = snapshot.program(snapshot.names().text(definition.name));
+    const std::string_view name = snapshot.names().text(definition.name);
+    const Result<ir::Program> program = snapshot.program(name);
     if (!program) continue;
-    require(!ir::find_fault(*program), "a linked program is broken");
-    ir::print_program(*program);
-    evaluate(*program);
-    emit_all(*program);
+    test::exercise(*program);
+    set_parameters(snapshot, name, *program);
   }
   return 0;
 }

@@ -208,5 +208,35 @@ TEST(LspProcess, AClientThatWritesBeforeItReads) {
   }
 }
 
+std::string edit(int version, std::string_view equation) {
+  return R"({"jsonrpc":"2.0","method":"textDocument/didChange","params":{"textDocument":{"uri":"u","version":)" +
+         std::to_string(version) + R"(},"contentChanges":[{"text":"\\begin{equation})" + std::string(equation) +
+         R"(\\end{equation}"}]}})";
+}
+
+/// Edits that nobody waits for: the last publish is right, and there are fewer of them than edits.
+TEST(LspProcess, ABurstOfEditsEndsInOneRightPublish) {
+  constexpr int kEdits = 500;
+  Daemon daemon;
+  daemon.send(initialize(getpid()));
+  daemon.send(R"({"jsonrpc":"2.0","method":"textDocument/didOpen","params":{"textDocument":)"
+              R"({"uri":"u","languageId":"latex","version":0,"text":""}}})");
+  std::string bytes;
+  for (int version = 1; version < kEdits; ++version)
+    bytes += lsp::frame(edit(version, "f = zz + " + std::to_string(version)));
+  daemon.send_bytes(bytes + lsp::frame(edit(kEdits, "f = 1")));
+  EXPECT_NE(daemon.receive().find("\"capabilities\""), std::string::npos);
+  int published = 1;
+  std::string last = daemon.receive();
+  for (; last.find(R"("version":500,)") == std::string::npos; last = daemon.receive()) {
+    ASSERT_NE(last.find("publishDiagnostics"), std::string::npos) << last;
+    ++published;
+  }
+  EXPECT_LT(published, kEdits);
+  EXPECT_NE(last.find(R"("version":500,"diagnostics":[])"), std::string::npos) << last;
+  daemon.send(kShutdown);
+  EXPECT_EQ(daemon.receive(), R"({"jsonrpc":"2.0","id":"s","result":null})");
+}
+
 }  // namespace
 }  // namespace texbrdf::test

@@ -69,7 +69,7 @@ json expanded(const std::string& text) {
 
 bool is_notification(std::string_view method) {
   return method == "initialized" || method == "exit" || method.starts_with("$/") ||
-         method.starts_with("textDocument/did") || method.starts_with("notify/");
+         method.starts_with("textDocument/did") || method.starts_with("workspace/did") || method.starts_with("notify/");
 }
 
 /// Turns the lines of a transcript into bytes.
@@ -86,6 +86,7 @@ class Client {
     if (verb == "+") return bytes_of(line, document_text);
     if (verb == "open") return open(std::string(line), document_text);
     if (verb == "change") return change(line);
+    if (verb == "reply") return reply(line);
     if (verb == "raw") return json::parse(line).get<std::string>();
     if (verb == "frame") return lsp::frame(json::parse(line).get<std::string>());
     throw std::runtime_error("a transcript does not know: " + verb);
@@ -98,6 +99,11 @@ class Client {
     body["method"] = method;
     if (!params.is_null()) body["params"] = std::move(params);
     return lsp::frame(body.dump());
+  }
+
+  static std::string reply(std::string_view line) {
+    const std::string id = take_word(line);
+    return lsp::frame(json({{"jsonrpc", "2.0"}, {"id", json::parse(id)}, {"result", json::parse(line)}}).dump());
   }
 
   std::string open(const std::string& name, const std::string& text) {
@@ -145,10 +151,15 @@ json normalised(const json& value) {
   return result;
 }
 
-/// On one line where it fits, else broken up.
+bool is_number(const json& value) {
+  return value.is_number();
+}
+
+/// On one line where it fits, else broken up; numbers are not worth a line each.
 void print(std::string& out, const json& value, std::size_t indent) {
   const std::string line = value.dump();
-  if (!value.is_structured() || indent + line.size() <= kLineWidth) {
+  const bool numbers = value.is_array() && std::all_of(value.begin(), value.end(), is_number);
+  if (!value.is_structured() || numbers || indent + line.size() <= kLineWidth) {
     out += line;
     return;
   }

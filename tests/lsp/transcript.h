@@ -15,6 +15,7 @@ namespace texbrdf::test {
 ///     change a.tex 2:3-2:4 "text"      didChange; the text is a JSON string; `change a.tex "text"` replaces all
 ///     -> method {…}                    a request, or a notification where the protocol says so
 ///     +> method {…}                    the same, in one write with the message before; `+ open`, `+ change` too
+///     reply 1 {…}                      the result of the server's request with the id 1
 ///     raw "bytes"                      bytes as they are, a JSON string
 ///     frame "body"                     a body with a correct header
 ///     <- …                             what the server sent

@@ -35,6 +35,7 @@ open a.tex
        "cancelled": 1,
        "errors": 1,
        "published": 1,
+       "workspaceFolders": [],
        "documents": [
          {
            "uri": "a.tex",

@@ -73,7 +73,23 @@ change bad.tex 2:11-2:17 "2"
      }
    }
 change bad.tex 5:3-5:4 "b"
-<- {"method":"textDocument/publishDiagnostics","params":{"uri":"bad.tex","version":3,"diagnostics":[]}}
+<- {
+     "method": "textDocument/publishDiagnostics",
+     "params": {
+       "uri": "bad.tex",
+       "version": 3,
+       "diagnostics": [
+         {
+           "range": "5:3-5:4",
+           "severity": 4,
+           "code": "E3013",
+           "codeDescription": {"href":"docs#E3013"},
+           "source": "texbrdf",
+           "message": "nothing uses `b`"
+         }
+       ]
+     }
+   }
 -> textDocument/didSave {"doc": "bad.tex"}
 # What was shown is taken away.
 -> textDocument/didClose {"doc": "bad.tex"}

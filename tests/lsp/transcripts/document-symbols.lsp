@@ -23,7 +23,10 @@ open a.tex
      "params": {
        "uri": "a.tex",
        "version": 1,
-       "diagnostics": [{"range":"8:12-8:13","severity":1,"code":"E2003","source":"texbrdf","message":"`(` is never closed"}]
+       "diagnostics": [
+         {"range":"8:3-8:9","severity":4,"code":"E3013","source":"texbrdf","message":"nothing uses `broken`"},
+         {"range":"8:12-8:13","severity":1,"code":"E2003","source":"texbrdf","message":"`(` is never closed"}
+       ]
      }
    }
 -> textDocument/documentSymbol {"doc": "a.tex"}

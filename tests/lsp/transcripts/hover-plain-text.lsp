@@ -34,8 +34,15 @@ open a.tex
            "message": "`\\theta_i` takes the place of the convention: polar angle of the incident direction"
          },
          {
+           "range": "11:3-11:11",
+           "severity": 4,
+           "code": "E3013",
+           "source": "texbrdf",
+           "message": "nothing uses `\\theta_i`"
+         },
+         {
            "range": "11:14-11:21",
-           "severity": 1,
+           "severity": 4,
            "code": "E3001",
            "source": "texbrdf",
            "message": "undefined name `nowhere` in the definition of `\\theta_i`"

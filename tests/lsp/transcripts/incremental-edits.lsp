@@ -71,9 +71,10 @@ change a.tex 900:5-901:9 "\\begin{equation} g = zz \\end{equation}"
        "uri": "a.tex",
        "version": 8,
        "diagnostics": [
+         {"range":"4:18-4:19","severity":4,"code":"E3013","source":"texbrdf","message":"nothing uses `g`"},
          {
            "range": "4:22-4:24",
-           "severity": 1,
+           "severity": 4,
            "code": "E3001",
            "source": "texbrdf",
            "message": "undefined name `zz` in the definition of `g`"
@@ -82,7 +83,14 @@ change a.tex 900:5-901:9 "\\begin{equation} g = zz \\end{equation}"
      }
    }
 change a.tex 4:24-4:22 "2"
-<- {"method":"textDocument/publishDiagnostics","params":{"uri":"a.tex","version":9,"diagnostics":[]}}
+<- {
+     "method": "textDocument/publishDiagnostics",
+     "params": {
+       "uri": "a.tex",
+       "version": 9,
+       "diagnostics": [{"range":"4:18-4:19","severity":4,"code":"E3013","source":"texbrdf","message":"nothing uses `g`"}]
+     }
+   }
 # The whole text anew.
 change a.tex "\\begin{equation}f = q\\end{equation}"
 <- {

@@ -12,8 +12,24 @@
          "textDocumentSync": {"openClose":true,"change":2,"save":true},
          "hoverProvider": true,
          "definitionProvider": true,
-         "referencesProvider": true,
-         "documentSymbolProvider": true
+         "referencesProvider": {"workDoneProgress":true},
+         "documentSymbolProvider": true,
+         "renameProvider": {"workDoneProgress":true},
+         "documentHighlightProvider": true,
+         "foldingRangeProvider": true,
+         "semanticTokensProvider": {
+           "legend": {
+             "tokenTypes": ["function","variable","parameter","number","operator","keyword"],
+             "tokenModifiers": ["declaration","definition","defaultLibrary"]
+           },
+           "range": true,
+           "full": {"delta":true}
+         },
+         "inlayHintProvider": true,
+         "codeLensProvider": {"resolveProvider":true},
+         "completionProvider": {"triggerCharacters":["\\","{","_"],"resolveProvider":true},
+         "signatureHelpProvider": {"triggerCharacters":["(",","]},
+         "workspace": {"workspaceFolders":{"supported":true,"changeNotifications":true}}
        },
        "serverInfo": {"name":"texbrdf","version":"0.0"}
      }

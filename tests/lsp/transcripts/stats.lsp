@@ -1,7 +1,18 @@
 client {"capabilities": {}}
 <- {"id":0,"positionEncoding":"utf-16"}
 -> texbrdf/stats
-<- {"id":1,"result":{"requests":2,"notifications":0,"cancelled":0,"errors":0,"published":0,"documents":[]}}
+<- {
+     "id": 1,
+     "result": {
+       "requests": 2,
+       "notifications": 0,
+       "cancelled": 0,
+       "errors": 0,
+       "published": 0,
+       "workspaceFolders": [],
+       "documents": []
+     }
+   }
 open a.tex
 | \begin{equation}
 |   f = 1
@@ -16,6 +27,7 @@ open a.tex
        "cancelled": 0,
        "errors": 0,
        "published": 1,
+       "workspaceFolders": [],
        "documents": [
          {
            "uri": "a.tex",
@@ -43,6 +55,7 @@ change a.tex 2:7-2:8 "2"
        "cancelled": 0,
        "errors": 1,
        "published": 2,
+       "workspaceFolders": [],
        "documents": [
          {
            "uri": "a.tex",

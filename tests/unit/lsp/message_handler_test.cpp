@@ -61,6 +61,27 @@ TEST_F(MessageHandlerTest, AFaultInANotificationIsALogLine) {
   EXPECT_EQ(replies_[0], R"({"jsonrpc":"2.0","id":3,"result":null})");
 }
 
+TEST_F(MessageHandlerTest, AFaultInWhatAReplyCausesIsALogLine) {
+  session_.outbox().request("test/ask", [](const nlohmann::json&) { throw InternalError("a third invariant"); });
+  ASSERT_EQ(replies_.size(), 1u);
+  send(R"({"jsonrpc":"2.0","id":1,"result":null})");
+  EXPECT_EQ(log_lines_, "error   internal error in the reply 1: a third invariant\n");
+  send(R"({"jsonrpc":"2.0","id":3,"method":"shutdown"})");
+  EXPECT_EQ(replies_.back(), R"({"jsonrpc":"2.0","id":3,"result":null})");
+}
+
+/// The handler of a method that is switched off is not even called.
+TEST_F(MessageHandlerTest, AFeatureThatIsSwitchedOffIsAnsweredWithNull) {
+  const char* hover = R"({"jsonrpc":"2.0","id":1,"method":"textDocument/hover","params":{}})";
+  send(
+      R"({"jsonrpc":"2.0","method":"workspace/didChangeConfiguration","params":{"settings":{"features.hover":false}}})");
+  send(hover);
+  EXPECT_EQ(replies_.back(), R"({"jsonrpc":"2.0","id":1,"result":null})");
+  send(R"({"jsonrpc":"2.0","method":"workspace/didChangeConfiguration","params":{"settings":null}})");
+  send(hover);
+  EXPECT_NE(replies_.back().find("-32602"), std::string::npos) << replies_.back();
+}
+
 TEST_F(MessageHandlerTest, AMethodIsBoundOnce) {
   EXPECT_THROW(methods_.request("shutdown", faulty_, &Faulty::out_of_memory), InternalError);
 }

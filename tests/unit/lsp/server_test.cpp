@@ -105,6 +105,31 @@ TEST(Server, AClientThatNeverPausesGetsDiagnosticsFromTimeToTime) {
   EXPECT_NE(session.replies[0].find("\"version\":3500"), std::string::npos);
 }
 
+std::string opened(const std::string& text) {
+  return frame(R"({"jsonrpc":"2.0","method":"textDocument/didOpen","params":{"textDocument":)"
+               R"({"uri":"file:///a.tex","languageId":"latex","version":0,"text":")" +
+               text + R"("}}})");
+}
+
+TEST(Server, TheFirstAnalysisOfALargeDocumentShowsItsProgress) {
+  constexpr const char* kClient = R"({"jsonrpc":"2.0","id":0,"method":"initialize","params":)"
+                                  R"({"capabilities":{"window":{"workDoneProgress":true}}}})";
+  const std::string equation = "\\\\begin{equation} f = 1 \\\\end{equation} ";
+  test::MemoryChannel channel;
+  channel.add(frame(kClient));
+  channel.add(opened(equation));
+  channel.add(opened(equation + std::string(std::size_t{1} << 20, 'x')));
+  channel.add(frame(R"({"jsonrpc":"2.0","id":1,"result":null})"));
+  const Session session = served(channel, {.process_alive = [](int64_t) { return true; }});
+  EXPECT_EQ(session.replies[1].find("rogress"), std::string::npos) << "small";
+  std::size_t at = 0;
+  for (const char* part : {R"("id":1,"method":"window/workDoneProgress/create","params":{"token":"texbrdf/1"})",
+                           R"("kind":"begin","title":"analysing /a.tex")", R"("kind":"end")", "publishDiagnostics"}) {
+    at = session.replies[2].find(part, at);
+    EXPECT_NE(at, std::string::npos) << part;
+  }
+}
+
 TEST(Server, AnUnwritableLogFileIsBadUsage) {
   EXPECT_EQ(run_server({.log_file = "/nowhere/at/all"}), 2);
 }

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "analysis/snapshot.h"
+
+namespace texbrdf::features {
+
+enum class Markup : uint8_t { Markdown, PlainText };
+
+/// What people are told of a name, in hovers and beside completions.
+
+/// Name, type, equation, value where it is constant, and where it stands.
+std::string describe_definition(const Snapshot& snapshot, DefinitionId id, Markup markup);
+/// A parameter of the function, by its position.
+std::string describe_parameter(const Snapshot& snapshot, DefinitionId id, uint32_t index, Markup markup);
+/// Formula and meaning. `inside` is the definition in which it stands, whose parameters it may follow; or none.
+std::string describe_convention(const Snapshot& snapshot, std::string_view name, Convention convention,
+                                DefinitionId inside, Markup markup);
+
+}  // namespace texbrdf::features

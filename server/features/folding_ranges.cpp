@@ -1,0 +1,34 @@
+#include "features/folding_ranges.h"
+
+#include <optional>
+
+namespace texbrdf::features {
+namespace {
+
+/// Relative to the block.
+std::optional<Fold> fold_of(const ParsedBlock& block) {
+  const BlockExtent& extent = block.extent;
+  Fold fold{{extent.begin.end, extent.end.begin}, !extent.end.empty()};
+  if (!fold.has_end) {
+    const std::size_t last = block.slice(fold.inside).find_last_not_of(" \t\r\n");
+    fold.inside.end = fold.inside.begin + static_cast<uint32_t>(last + 1);  // 0 where there is nothing
+  }
+  if (block.slice(fold.inside).find_first_of("\r\n") == std::string_view::npos) return std::nullopt;
+  return fold;
+}
+
+}  // namespace
+
+std::vector<Fold> folding_ranges(const Snapshot& snapshot) {
+  std::vector<Fold> folds;
+  for (const Block& block : snapshot.blocks()) {
+    std::optional<Fold> fold = fold_of(*block.parsed);
+    if (!fold) continue;
+    fold->inside.begin += block.offset;
+    fold->inside.end += block.offset;
+    folds.push_back(*fold);
+  }
+  return folds;
+}
+
+}  // namespace texbrdf::features

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "analysis/snapshot.h"
+
+namespace texbrdf::features {
+
+/// From semantic_tokens.def; the values are indices into the legend.
+enum class SemanticType : uint8_t {
+#define SEMANTIC_TYPE(name, text) name,
+#include "features/semantic_tokens.def"
+#undef SEMANTIC_TYPE
+};
+
+enum class SemanticModifier : uint8_t {
+#define SEMANTIC_MODIFIER(name, text) name,
+#include "features/semantic_tokens.def"
+#undef SEMANTIC_MODIFIER
+};
+
+std::span<const std::string_view> semantic_type_names();
+std::span<const std::string_view> semantic_modifier_names();
+
+struct SemanticToken {
+  Span span;
+  SemanticType type = SemanticType::Variable;
+  uint32_t modifiers = 0;  ///< a bit for each SemanticModifier
+  friend bool operator==(const SemanticToken&, const SemanticToken&) = default;
+};
+
+/// All that the tokens of a block depend on outside of it: which conventions are hidden by definitions of the document.
+/// So a block's tokens can be kept as long as its parse and this stay.
+class HiddenConventions {
+ public:
+  explicit HiddenConventions(const Snapshot& snapshot);
+  bool contains(Convention convention) const { return ((bits_ >> static_cast<uint32_t>(convention)) & 1) != 0; }
+  friend bool operator==(const HiddenConventions&, const HiddenConventions&) = default;
+
+ private:
+  uint32_t bits_ = 0;
+};
+
+/// In the order of the text, spans relative to the block. Names, numbers, operators and commands inside the block; a
+/// name is one token with its decoration and subscripts. Names keep their kinds while the block has errors.
+std::vector<SemanticToken> block_tokens(const Snapshot& snapshot, BlockId block, const HiddenConventions& hidden);
+
+/// Tokens that the range holds or touches, with absolute spans.
+std::vector<SemanticToken> semantic_tokens(const Snapshot& snapshot, Span range);
+
+}  // namespace texbrdf::features

@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "lsp/capabilities.h"
+#include "lsp/session.h"
+#include "source/internal_error.h"
+
+namespace texbrdf::lsp {
+namespace {
+
+Severity severity_of(HintSeverity chosen) {
+  switch (chosen) {
+    case HintSeverity::Information:
+      return Severity::Information;
+    case HintSeverity::Warning:
+      return Severity::Warning;
+    case HintSeverity::Off:
+    case HintSeverity::Hint:
+      break;
+  }
+  return Severity::Hint;
+}
+
+}  // namespace
+
+DiagnosticStyle Session::diagnostic_style() const {
+  return {client_.related_information, client_.code_description, docs_url_};
+}
+
+std::vector<features::ShownDiagnostic> Session::shown_diagnostics(const Snapshot& snapshot) const {
+  if (!settings_.shows(Feature::Diagnostics)) return {};
+  return as_set(features::diagnostics(snapshot));
+}
+
+/// As the settings want them.
+std::vector<features::ShownDiagnostic> Session::as_set(std::vector<features::ShownDiagnostic> shown) const {
+  const auto is_hint = [](const features::ShownDiagnostic& d) { return d.severity == Severity::Hint; };
+  if (settings_.hint_severity == HintSeverity::Off) std::erase_if(shown, is_hint);
+  for (features::ShownDiagnostic& diagnostic : shown) {
+    if (is_hint(diagnostic)) diagnostic.severity = severity_of(settings_.hint_severity);
+  }
+  return shown;
+}
+
+void Session::write_next_publication(JsonWriter& out) {
+  if (!closed_.empty()) {
+    const std::string uri = std::move(closed_.back());
+    closed_.pop_back();
+    const SourceText nothing;
+    Positions positions(nothing, unit_);
+    write_diagnostics(out, positions, uri, std::nullopt, {}, diagnostic_style());
+    return;
+  }
+  OpenDocument* open = documents_.next_unpublished();
+  require(open != nullptr, "nothing to publish");
+  open->published = true;
+  const Snapshot& snapshot = open->document.snapshot();
+  Positions positions(snapshot.text(), unit_);
+  write_diagnostics(out, positions, open->uri, open->version, shown_diagnostics(snapshot), diagnostic_style());
+}
+
+/// The client was told that it can ask for diagnostics: then it gets no others.
+bool Session::is_pulled() const {
+  constexpr auto kIndex = static_cast<std::size_t>(Feature::Diagnostics);
+  return registered_[kIndex] || is_announced(Feature::Diagnostics, client_, client_.settings);
+}
+
+/// What the client was sent is no longer right, or no longer for it to have.
+void Session::publish_anew(bool pushed_before) {
+  for (auto& [uri, open] : documents_.all()) {
+    open.published = false;
+    if (pushed_before && !pushes_diagnostics()) closed_.push_back(uri);
+  }
+}
+
+/// The id stands for the diagnostics themselves: an edit that changes none of them leaves the client's result good.
+Session::Outcome Session::diagnostic(const PullParams& params, JsonWriter& result) {
+  OpenDocument* open = documents_.find(params.uri);
+  if (open == nullptr) return not_open(params.uri);
+  const Snapshot& snapshot = open->document.snapshot();
+  Positions positions(snapshot.text(), unit_);
+  JsonWriter items;
+  write_diagnostic_items(items, positions, open->uri, shown_diagnostics(snapshot), diagnostic_style());
+  if (open->pulled_id == 0 || open->pulled != items.text()) {
+    open->pulled_id = ++last_result_;
+    open->pulled = items.take();
+  }
+  const std::string id = std::to_string(open->pulled_id);
+  const bool is_known = params.previous_result == id;
+  result.begin_object();
+  result.member("kind", is_known ? "unchanged" : "full");
+  result.member("resultId", id);
+  if (!is_known) {
+    result.key("items");
+    result.raw(open->pulled);
+  }
+  result.end_object();
+  return std::nullopt;
+}
+
+}  // namespace texbrdf::lsp
