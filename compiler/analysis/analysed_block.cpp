@@ -29,6 +29,7 @@ AnalysedBlock analyse_block(std::string_view text, const BlockExtent& extent, Na
     block.parsed.diagnostics.clear();
   }
   block.names = read_names(block.parsed, table);
+  block.definitions.reserve(block.parsed.definitions.size());
   for (const DefinitionSyntax& definition : block.parsed.definitions) {
     std::vector<NameId> mentioned = mentioned_names(block.parsed, definition, block.names);
     if (block.mentions.empty()) {
@@ -36,7 +37,8 @@ AnalysedBlock analyse_block(std::string_view text, const BlockExtent& extent, Na
     } else {
       block.mentions.insert(block.mentions.end(), mentioned.begin(), mentioned.end());
     }
-    block.mention_ends.push_back(static_cast<uint32_t>(block.mentions.size()));
+    const NameId name = block.names.by_node[definition.name.value];
+    block.definitions.push_back({name, static_cast<uint32_t>(block.mentions.size())});
   }
   return block;
 }

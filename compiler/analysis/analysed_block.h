@@ -11,19 +11,25 @@
 
 namespace texbrdf {
 
+/// What a definition says of names. Stands apart from its tree because it is read more often.
+struct NamedDefinition {
+  NameId name;
+  uint32_t mentions_end = 0;  ///< in the list of its block; they begin behind those of the definition before
+};
+
 /// All that is known of a block alone: it is kept across edits as long as the block's bytes stay.
 struct AnalysedBlock {
   ParsedBlock parsed;
   BlockNames names;
-  std::vector<Directive> directives;   ///< those right above it
-  std::vector<NameId> mentions;        ///< of all definitions, one after the other
-  std::vector<uint32_t> mention_ends;  ///< by definition
+  std::vector<Directive> directives;  ///< those right above it
+  std::vector<NamedDefinition> definitions;
+  std::vector<NameId> mentions;  ///< of all definitions, one after the other
 
   std::span<const NameId> mentions_of(uint32_t definition) const {
-    const uint32_t begin = definition == 0 ? 0 : mention_ends[definition - 1];
-    return std::span(mentions).subspan(begin, mention_ends[definition] - begin);
+    const uint32_t begin = definition == 0 ? 0 : definitions[definition - 1].mentions_end;
+    return std::span(mentions).subspan(begin, definitions[definition].mentions_end - begin);
   }
-  NameId defined(uint32_t definition) const { return names.by_node[parsed.definitions[definition].name.value]; }
+  NameId defined(uint32_t definition) const { return definitions[definition].name; }
   /// True where scanning gave the same block again, wherever it now stands.
   bool is_same(std::string_view text, const BlockExtent& extent) const;
 };

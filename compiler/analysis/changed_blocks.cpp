@@ -3,13 +3,19 @@
 #include <algorithm>
 #include <string_view>
 
+#include "source/shared_pool.h"
+
 namespace texbrdf {
 namespace {
 
 class Reader {
  public:
   Reader(const EngineState& state, const TouchedBlocks& touched, WorkingBlocks& blocks, Counters& counters)
-      : state_(state), touched_(touched), blocks_(blocks), counters_(counters) {}
+      : state_(state),
+        touched_(touched),
+        blocks_(blocks),
+        counters_(counters),
+        analysed_(touched.all ? state.segments.measure().blocks : touched.before.size()) {}
 
   std::vector<BlockChange> run() { return touched_.all ? read_all() : read_touched(); }
 
@@ -39,29 +45,28 @@ class Reader {
     changes.reserve(labels.size());
     for (BlockLabel label : labels) {
       const PlacedBlock* before = touched_.before.find(label)->second.get();
-      BlockChange change{label, before ? before->analysed : nullptr, nullptr};
+      BlockChange change{label, before ? before->analysed.get() : nullptr, nullptr};
       const auto place = find_block(state_.segments, label);
       if (place.item != nullptr) {
         const std::string text = state_.text.slice({place.before.bytes, place.before.bytes + place.item->size});
         change.after = open(*place.item->block, text, before);
       }
-      changes.push_back(std::move(change));
+      changes.push_back(change);
     }
     return changes;
   }
 
-  std::shared_ptr<const AnalysedBlock> open(const PlacedBlock& block, std::string_view text,
-                                            const PlacedBlock* before) {
+  const AnalysedBlock* open(const PlacedBlock& block, std::string_view text, const PlacedBlock* before) {
     WorkingBlock working{.label = block.label, .extent = block.extent, .analysed = nullptr, .definitions = {}};
     if (const PlacedBlock* same = find_same(text, block.extent, before)) {
       working.analysed = same->analysed;
       working.definitions = same->definitions;
     } else {
-      working.analysed = std::make_shared<const AnalysedBlock>(analyse_block(text, block.extent, *state_.names));
+      working.analysed = analysed_.make(analyse_block(text, block.extent, *state_.names));
       working.definitions.resize(working.analysed->parsed.definitions.size());
       ++counters_.blocks_parsed;
     }
-    std::shared_ptr<const AnalysedBlock> analysed = working.analysed;
+    const AnalysedBlock* const analysed = working.analysed.get();
     blocks_.add(std::move(working));
     return analysed;
   }
@@ -85,6 +90,7 @@ class Reader {
   const TouchedBlocks& touched_;
   WorkingBlocks& blocks_;
   Counters& counters_;
+  SharedPool<AnalysedBlock> analysed_;
   bool listed_ = false;
   std::unordered_map<std::string_view, const PlacedBlock*> gone_;
 };

@@ -8,11 +8,11 @@
 
 namespace texbrdf {
 
-/// A block that came, went or has another text.
+/// A block that came, went or has another text. Good as long as the touched and the opened blocks stay.
 struct BlockChange {
   BlockLabel label = 0;
-  std::shared_ptr<const AnalysedBlock> before;  ///< nullptr where there was none
-  std::shared_ptr<const AnalysedBlock> after;   ///< nullptr where there is none
+  const AnalysedBlock* before = nullptr;  ///< nullptr where there was none
+  const AnalysedBlock* after = nullptr;   ///< nullptr where there is none
 };
 
 /// Reads the touched blocks and opens them in `blocks`, in document order. What has the same bytes as a block that is

@@ -7,7 +7,7 @@ namespace texbrdf {
 namespace {
 
 void make_unique(std::vector<NameId>& names) {
-  std::ranges::sort(names);
+  if (!std::ranges::is_sorted(names)) std::ranges::sort(names);
   const auto repeated = std::ranges::unique(names);
   names.erase(repeated.begin(), repeated.end());
 }
@@ -20,7 +20,7 @@ std::vector<NameId> mentions_of(const AnalysedBlock* block) {
 }
 
 size_t definition_count(const AnalysedBlock* block) {
-  return block == nullptr ? 0 : block->parsed.definitions.size();
+  return block == nullptr ? 0 : block->definitions.size();
 }
 
 class NameUpdate {
@@ -28,12 +28,18 @@ class NameUpdate {
   explicit NameUpdate(EngineState& state) : state_(state) {}
 
   ChangedNames run(const std::vector<BlockChange>& changes) {
-    lists_changed_ = !state_.lists_users && !is_all_new(changes);
+    is_all_new_ = is_all_new(changes);
+    if (is_all_new_) reserve(changes.size());
+    lists_changed_ = !state_.lists_users && !is_all_new_;
     if (lists_changed_) list_users(state_);
     for (const BlockChange& change : changes) {
       if (change.before == change.after && !lists_changed_) continue;
       update_definitions(change);
-      update_mentions(change);
+      if (is_all_new_ && !state_.lists_users) {
+        for (NameId name : change.after->mentions) names_.is_mentioned[name.value] = true;
+      } else {
+        update_mentions(change);
+      }
     }
     make_unique(names_.listed);
     make_unique(names_.to_check);
@@ -48,9 +54,17 @@ class NameUpdate {
            std::ranges::all_of(changes, [](const BlockChange& change) { return !change.before && change.after; });
   }
 
+  void reserve(size_t blocks) {
+    single_keys_ = Sequence<DefinitionKey>::Pool(blocks);
+    names_.is_mentioned.resize(state_.names->size());
+    names_.listed.reserve(blocks);
+    names_.to_check.reserve(blocks);
+    names_.reordered.reserve(blocks);
+  }
+
   void update_definitions(const BlockChange& change) {
-    const AnalysedBlock* before = change.before.get();
-    const AnalysedBlock* after = change.after.get();
+    const AnalysedBlock* before = change.before;
+    const AnalysedBlock* after = change.after;
     const size_t count = std::max(definition_count(before), definition_count(after));
     for (uint32_t i = 0; i < count; ++i) {
       const NameId old_name = i < definition_count(before) ? before->defined(i) : NameId{};
@@ -58,7 +72,7 @@ class NameUpdate {
       if (old_name != new_name) {
         const DefinitionKey key{change.label, i};
         if (old_name.valid()) erase_key(state_.occurrences[old_name.value].definitions, key);
-        if (new_name.valid()) insert_key(state_.occurrences[new_name.value].definitions, key);
+        if (new_name.valid()) insert_definition(new_name, key);
       }
       note(old_name, old_name != new_name);
       note(new_name, old_name != new_name);
@@ -69,6 +83,15 @@ class NameUpdate {
     }
   }
 
+  void insert_definition(NameId name, const DefinitionKey& key) {
+    Sequence<DefinitionKey>& definitions = state_.occurrences[name.value].definitions;
+    if (definitions.empty()) {
+      definitions = Sequence<DefinitionKey>(key, single_keys_);
+    } else {
+      insert_key(definitions, key);
+    }
+  }
+
   void note(NameId name, bool is_listed_elsewhere) {
     if (!name.valid()) return;
     names_.to_check.push_back(name);
@@ -76,28 +99,26 @@ class NameUpdate {
   }
 
   void update_mentions(const BlockChange& change) {
-    const std::vector<NameId> before = mentions_of(change.before.get());
-    const std::vector<NameId> after = mentions_of(change.after.get());
+    const std::vector<NameId> before = mentions_of(change.before);
+    const std::vector<NameId> after = mentions_of(change.after);
     if (lists_changed_) {
       for (NameId name : after) insert_key(state_.occurrences[name.value].users, UserKey{change.label});
     }
     if (before == after) return;
-    if (before.empty() && !state_.lists_users) {
-      names_.mentioned.insert(names_.mentioned.end(), after.begin(), after.end());
-      return;
-    }
     std::vector<NameId> gone, come;
     std::ranges::set_difference(before, after, std::back_inserter(gone));
     std::ranges::set_difference(after, before, std::back_inserter(come));
     names_.mentioned.insert(names_.mentioned.end(), gone.begin(), gone.end());
     names_.mentioned.insert(names_.mentioned.end(), come.begin(), come.end());
-    if (!state_.lists_users || lists_changed_) return;
+    if (lists_changed_) return;
     for (NameId name : gone) erase_key(state_.occurrences[name.value].users, UserKey{change.label});
     for (NameId name : come) insert_key(state_.occurrences[name.value].users, UserKey{change.label});
   }
 
   EngineState& state_;
+  bool is_all_new_ = false;
   bool lists_changed_ = false;  // the changed blocks are in no list yet
+  Sequence<DefinitionKey>::Pool single_keys_{1};
   ChangedNames names_;
 };
 
@@ -113,7 +134,8 @@ void list_users(EngineState& state) {
     }
     return true;
   });
-  for (size_t name = 0; name < users.size(); ++name) state.occurrences[name].users = Sequence<UserKey>(users[name]);
+  for (size_t name = 0; name < users.size(); ++name)
+    state.occurrences[name].users = Sequence<UserKey>(std::move(users[name]));
   state.lists_users = true;
 }
 

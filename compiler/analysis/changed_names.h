@@ -9,10 +9,11 @@ namespace texbrdf {
 
 /// What changed blocks mean for names. Each name once in each list, in order of NameId.
 struct ChangedNames {
-  std::vector<NameId> listed;     ///< defined elsewhere than before, or not
-  std::vector<NameId> to_check;   ///< defined in a changed block, before or after
-  std::vector<NameId> reordered;  ///< the definition in force mentions other names, or is another one
-  std::vector<NameId> mentioned;  ///< in a changed block, before or after
+  std::vector<NameId> listed;      ///< defined elsewhere than before, or not
+  std::vector<NameId> to_check;    ///< defined in a changed block, before or after
+  std::vector<NameId> reordered;   ///< the definition in force mentions other names, or is another one
+  std::vector<NameId> mentioned;   ///< in a changed block, before or after; empty where all blocks are new
+  std::vector<bool> is_mentioned;  ///< by NameId, where all blocks are new
 };
 
 /// Brings the occurrences of names up to date. The users of names are listed with the first change of a document that

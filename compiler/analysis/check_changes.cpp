@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <queue>
 
+#include "source/shared_pool.h"
+
 namespace texbrdf {
 namespace {
 
@@ -18,9 +20,10 @@ class KnownFacts final : public Facts {
 class CheckChanges {
  public:
   CheckChanges(EngineState& state, WorkingBlocks& blocks, Counters& counters)
-      : state_(state), blocks_(blocks), counters_(counters), is_queued_(state.name_states.size()) {}
+      : state_(state), blocks_(blocks), counters_(counters), records_(blocks.all().size()) {}
 
   void run(const std::vector<NameId>& names) {
+    is_queued_.resize(state_.name_states.size());
     for (NameId name : names) enqueue(name);
     while (!queue_.empty()) {
       const NameId name = queue_.top().name;
@@ -28,11 +31,21 @@ class CheckChanges {
       is_queued_[name.value] = false;
       settle(name);
     }
+    check_rest();
+  }
+
+  void run_in_order(const std::vector<NameId>& order) {
+    for (NameId name : order) state_of(name).fact = fact_of(name);
+    check_rest();
+  }
+
+ private:
+  // Definitions on which no other depends: later ones of a name, and those in knots.
+  void check_rest() {
     for (const WorkingBlock& block : blocks_.all()) note_unchecked(block);
     for (const DefinitionKey& key : unneeded_) check(key);
   }
 
- private:
   struct Waiting {
     uint32_t height;
     NameId name;
@@ -52,7 +65,6 @@ class CheckChanges {
     NameFact now = fact_of(name);
     if (now == state_of(name).fact) return;
     state_of(name).fact = std::move(now);
-    if (!state_.lists_users) return;  // nothing was checked before
     state_.occurrences[name.value].users.visit_from(0, [&](const UserKey& user, const UserKey&) {
       recheck_users(user.block, name);
       return true;
@@ -97,12 +109,11 @@ class CheckChanges {
     ++counters_.definitions_checked;
     const AnalysedBlock& analysed = *block->analysed;
     const KnownFacts facts(state_.name_states);
-    record = std::make_shared<const DefinitionRecord>(check_definition(
-        analysed.parsed, analysed.parsed.definitions[key.index_in_block], analysed.names, *state_.names, facts));
+    record = records_.make(check_definition(analysed.parsed, analysed.parsed.definitions[key.index_in_block],
+                                            analysed.names, *state_.names, facts));
     return record->checked;
   }
 
-  // Definitions on which no other depends: later ones of a name, and those in knots.
   void note_unchecked(const WorkingBlock& block) {
     for (uint32_t i = 0; i < block.definitions.size(); ++i) {
       if (!block.definitions[i].record) unneeded_.push_back({block.label, i});
@@ -115,12 +126,17 @@ class CheckChanges {
   std::priority_queue<Waiting> queue_;
   std::vector<bool> is_queued_;  // by NameId
   std::vector<DefinitionKey> unneeded_;
+  SharedPool<DefinitionRecord> records_;
 };
 
 }  // namespace
 
 void check_changes(EngineState& state, WorkingBlocks& blocks, const std::vector<NameId>& names, Counters& counters) {
   CheckChanges(state, blocks, counters).run(names);
+}
+
+void check_all(EngineState& state, WorkingBlocks& blocks, const std::vector<NameId>& order, Counters& counters) {
+  CheckChanges(state, blocks, counters).run_in_order(order);
 }
 
 }  // namespace texbrdf

@@ -78,14 +78,14 @@ class FullOrder {
  public:
   FullOrder(EngineState& state, const WorkingBlocks& blocks) : state_(state), blocks_(blocks) {}
 
-  std::vector<NameId> run() {
+  OrderChange run() {
     list_definitions();
     list_edges();
     const DependencyOrder order = dependency_order(edges_);
     for (NameState& name : state_.name_states) name.height = 0;
     for (uint32_t index : order.order) set_height(index);
     note_cycles(order);
-    return change_knots(order);
+    return {.knotted = change_knots(order), .order = names_of(order.order)};
   }
 
  private:
@@ -97,6 +97,7 @@ class FullOrder {
 
   void list_definitions() {
     places_.assign(state_.name_states.size(), UINT32_MAX);
+    definitions_.reserve(state_.name_states.size());
     state_.segments.visit_from(0, [&](const Segment& segment, const Segment::Measure&) {
       if (!segment.block) return true;
       const BlockLabel label = segment.block->label;
@@ -128,6 +129,13 @@ class FullOrder {
     uint32_t highest = 0;
     for (uint32_t target : edges_.of(index)) highest = std::max(highest, name_state(target).height);
     name_state(index).height = highest + 1;
+  }
+
+  std::vector<NameId> names_of(const std::vector<uint32_t>& indices) const {
+    std::vector<NameId> names;
+    names.reserve(indices.size());
+    for (uint32_t index : indices) names.push_back(definitions_[index].name);
+    return names;
   }
 
   void note_cycles(const DependencyOrder& order) {
@@ -162,8 +170,7 @@ class FullOrder {
 
 }  // namespace
 
-std::vector<NameId> order_definitions(EngineState& state, const WorkingBlocks& blocks,
-                                      const std::vector<NameId>& reordered) {
+OrderChange order_definitions(EngineState& state, const WorkingBlocks& blocks, const std::vector<NameId>& reordered) {
   if (reordered.empty()) return {};
   const bool may_lift = state.lists_users && state.cycles->empty();
   if (may_lift && Lift(state, blocks).run(reordered)) return {};

@@ -7,6 +7,7 @@
 #include "analysis/rescan.h"
 #include "analysis/snapshot_state.h"
 #include "analysis/update.h"
+#include "source/internal_error.h"
 
 namespace texbrdf {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 /// Names that nobody uses any more stay in the table; when there are so many times more than definitions, all is
 /// built anew.
 constexpr size_t kMaxNamesPerDefinition = 64;
-constexpr size_t kFewNames = 100'000;
+constexpr size_t kFewNames = 10'000;
 
 }  // namespace
 
@@ -25,13 +26,15 @@ struct Document::State {
   std::shared_ptr<NameSuggestions> suggestions;
   uint64_t scanned = 0;  // blocks, since the last snapshot
   Counters counters;
-  bool is_current = false;  // the snapshot is that of the text
-  std::optional<Snapshot> snapshot;
+  bool is_current = false;  // the state is checked, and the snapshots are of it
+  std::shared_ptr<const std::vector<IncludeProblem>> include_problems =
+      std::make_shared<const std::vector<IncludeProblem>>();
+  std::vector<std::optional<Snapshot>> snapshots;  // by FileId; formed when they are asked for
 
-  void start_anew(SourceText text) {
+  void start_anew(ProjectText text) {
     engine = {};
     engine.text = std::move(text);
-    engine.segments = scan_document(engine.text);
+    engine.segments = scan_files(engine.text);
     touched = {.all = true, .before = {}};
     name_index = {};
     scanned = engine.segments.measure().blocks;
@@ -68,67 +71,119 @@ struct Document::State {
     counters = result.counters;
     counters.blocks_scanned = std::exchange(scanned, 0);
     if (result.other_definitions || !suggestions) suggestions = std::make_shared<NameSuggestions>();
-    publish();
+    is_current = true;
+    forget_snapshots();
   }
 
-  void publish() {
+  void forget_snapshots() {
+    snapshots.clear();
+    snapshots.resize(engine.text.file_count());
+  }
+
+  Snapshot seen_from(FileId file) const {
     auto state = std::make_shared<Snapshot::State>();
     state->text = engine.text;
     state->segments = engine.segments;
+    state->view = FileView(engine.text, engine.segments, file);
     state->names = engine.names;
     state->name_index = name_index;
     state->lists_users = engine.lists_users;
     state->cycles = engine.cycles;
     state->root = engine.root;
+    state->include_problems = include_problems;
     state->suggestions = suggestions;
     state->counters = counters;
-    snapshot.emplace(std::move(state));
-    is_current = true;
+    return Snapshot(std::move(state));
   }
 };
 
-Document::Document(std::string_view text) : state_(std::make_unique<State>()) {
-  state_->start_anew(SourceText(text));
+Document::Document(SourceText text) : state_(std::make_unique<State>()) {
+  state_->start_anew(ProjectText(std::move(text)));
 }
 Document::~Document() = default;
 Document::Document(Document&&) noexcept = default;
 Document& Document::operator=(Document&&) noexcept = default;
 
-void Document::replace(Span span, std::string_view replacement) {
-  SourceText& text = state_->engine.text;
+void Document::replace(FileId file, Span span, std::string_view replacement) {
+  ProjectText& all = state_->engine.text;
+  const SourceText& text = all.file(file);
   const uint32_t begin = std::min(span.begin, text.size());
   const uint32_t end = std::clamp(span.end, begin, text.size());
-  const size_t room = SourceText::kMaxBytes - (text.size() - (end - begin));
+  const size_t room = SourceText::kMaxBytes - std::min(SourceText::kMaxBytes, all.size() - (end - begin));
   const std::string_view inserted = replacement.substr(0, room);
-  text = text.with({begin, end}, inserted);
-  state_->edit({begin, end - begin, static_cast<uint32_t>(inserted.size())});
+  all.set(file, text.with({begin, end}, inserted));
+  state_->edit({file, begin, end - begin, static_cast<uint32_t>(inserted.size())});
 }
 
-void Document::set_text(std::string_view text) {
-  const std::string old = state_->engine.text.bytes();
+void Document::set_text(FileId file, std::string_view text) {
+  const std::string old = this->text(file).bytes();
   const auto front = std::ranges::mismatch(old, text);
   const auto begin = static_cast<uint32_t>(front.in1 - old.begin());
   const auto back = std::mismatch(old.rbegin(), old.rend() - begin, text.rbegin(), text.rend() - begin);
   const auto same_behind = static_cast<uint32_t>(back.first - old.rbegin());
-  replace({begin, static_cast<uint32_t>(old.size()) - same_behind},
+  replace(file, {begin, static_cast<uint32_t>(old.size()) - same_behind},
           text.substr(begin, text.size() - same_behind - begin));
 }
 
-const SourceText& Document::text() const {
-  return state_->engine.text;
+const SourceText& Document::text(FileId file) const {
+  return state_->engine.text.file(file);
 }
 
-const Snapshot& Document::snapshot() {
+uint32_t Document::file_count() const {
+  return state_->engine.text.file_count();
+}
+
+void Document::insert_file(FileId at, const SourceText& text) {
+  EngineState& engine = state_->engine;
+  require(at.value > 0 && at.value <= file_count(), "a file is put behind another");
+  engine.segments = with_empty_file(engine.segments, engine.text, at);
+  const bool has_room = text.size() < SourceText::kMaxBytes - std::min(SourceText::kMaxBytes, engine.text.size() + 1);
+  const SourceText taken = has_room ? text : SourceText();
+  engine.text.insert(at, taken);
+  state_->edit({at, 0, 0, taken.size()});
+}
+
+void Document::remove_file(FileId file) {
+  EngineState& engine = state_->engine;
+  require(file.value > 0 && file.value < file_count(), "the first file stays");
+  replace(file, {0, text(file).size()}, {});
+  engine.text.remove(file);
+  engine.segments = without_empty_file(engine.segments, engine.text, file);
+}
+
+std::vector<IncludeTarget> Document::includes(FileId file) const {
+  const Span span = state_->engine.text.span(file);
+  std::vector<IncludeTarget> targets;
+  state_->engine.segments.visit_where([](const Segment::Measure& sum) { return sum.includes > 0; },
+                                      [&](const Segment& segment, const Segment::Measure& before) {
+                                        if (before.bytes < span.begin) return true;
+                                        if (before.bytes >= span.end) return false;
+                                        for (const Include& include : segment.remarks->includes)
+                                          targets.push_back(include.target);
+                                        return true;
+                                      });
+  return targets;
+}
+
+void Document::set_include_problems(std::vector<IncludeProblem> problems) {
+  if (*state_->include_problems == problems) return;
+  state_->include_problems = std::make_shared<const std::vector<IncludeProblem>>(std::move(problems));
+  state_->forget_snapshots();
+}
+
+const Snapshot& Document::snapshot(FileId file) {
   if (!state_->is_current) state_->bring_up_to_date();
-  return *state_->snapshot;
+  std::optional<Snapshot>& snapshot = state_->snapshots[file.value];
+  if (!snapshot) snapshot = state_->seen_from(file);
+  return *snapshot;
 }
 
 void Document::prepare_for_edits() {
-  snapshot();
+  if (!state_->is_current) state_->bring_up_to_date();
   if (state_->engine.lists_users) return;
   list_users(state_->engine);
   state_->name_index = NameIndex(state_->engine.occurrences);
-  state_->publish();
+  state_->forget_snapshots();
 }
 
 }  // namespace texbrdf

@@ -58,12 +58,11 @@ class Collector {
   explicit Collector(const Snapshot::State& state) : state_(state), suggestions_(state) {}
 
   std::vector<Report> run() {
-    state_.segments.visit_where(
-        [](const Segment::Measure& sum) { return sum.reports > 0; },
-        [&](const Segment& segment, const Segment::Measure& before) {
-          take_block({segment.block.get(), BlockId{before.blocks}, before.bytes, before.definitions});
-          return true;
-        });
+    state_.segments.visit_where([](const Segment::Measure& sum) { return sum.reports > 0; },
+                                [&](const Segment& segment, const Segment::Measure& before) {
+                                  take_block(state_.located(segment, before));
+                                  return true;
+                                });
     for (const Cycle& cycle : *state_.cycles) report_cycle(cycle);
     std::ranges::sort(all_, {}, [](const Report& r) { return std::pair(r.diagnostic.where, r.diagnostic.code); });
     return std::move(all_);

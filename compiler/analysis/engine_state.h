@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "analysis/name_index.h"
+#include "analysis/project_text.h"
 #include "analysis/segment.h"
 #include "semantics/check.h"
-#include "source/source_text.h"
 
 namespace texbrdf {
 
@@ -32,7 +32,7 @@ struct RootChoice {
 
 /// All that is known of a document between two edits.
 struct EngineState {
-  SourceText text;
+  ProjectText text;
   SegmentSequence segments;
   std::shared_ptr<NameTable> names = std::make_shared<NameTable>();
   std::vector<NameState> name_states;        ///< by NameId

@@ -20,6 +20,16 @@ class NameReader {
   Span relative(uint32_t node) const { return parsed_.span(NodeId{node}); }
 
   Occurrence occurrence(uint32_t node) const {
+    Occurrence found = without_target(node);
+    if (found.node != syntax_.name && found.referent.kind == Referent::Kind::Definition) {
+      const std::optional<DefinitionKey> target = state_.find(found.name);
+      if (target) found.target = state_.locate(*target).id();
+    }
+    return found;
+  }
+
+  /// Of a reference the target is not looked up.
+  Occurrence without_target(uint32_t node) const {
     Occurrence found;
     const Span span = relative(node);
     found.span = {definition_.at.offset + span.begin, definition_.at.offset + span.end};
@@ -29,12 +39,7 @@ class NameReader {
     found.inside = definition_.id();
     found.referent = referent(node);
     found.is_definition = node <= syntax_.left.value;
-    if (found.node == syntax_.name) {
-      found.target = definition_.id();
-    } else if (found.referent.kind == Referent::Kind::Definition) {
-      const std::optional<DefinitionKey> target = state_.find(found.name);
-      if (target) found.target = state_.locate(*target).id();
-    }
+    if (found.node == syntax_.name) found.target = definition_.id();
     return found;
   }
 
@@ -45,18 +50,21 @@ class NameReader {
   const DefinitionSyntax& syntax_;
 };
 
+// A name that stands in one block of so many, or more, is not looked for block by block.
+constexpr uint32_t kFewest = 16;
+
 /// The blocks that may hold a name, in document order.
 std::vector<LocatedBlock> blocks_with(const Snapshot::State& state, NameId name) {
   std::vector<LocatedBlock> blocks;
-  if (!state.lists_users) {
+  const NameOccurrences& occurrences = *state.name_index.at(name.value).item;
+  const bool is_in_most = occurrences.users.size() > state.segments.measure().blocks / kFewest;
+  if (!state.lists_users || is_in_most) {
     state.segments.visit_from(0, [&](const Segment& segment, const Segment::Measure& before) {
-      if (segment.block)
-        blocks.push_back({segment.block.get(), BlockId{before.blocks}, before.bytes, before.definitions});
+      if (segment.block) blocks.push_back(state.located(segment, before));
       return true;
     });
     return blocks;
   }
-  const NameOccurrences& occurrences = *state.name_index.at(name.value).item;
   std::vector<BlockLabel> labels;
   occurrences.definitions.visit_from(0, [&](const DefinitionKey& key, const DefinitionKey&) {
     labels.push_back(key.block);
@@ -105,12 +113,16 @@ std::optional<Occurrence> Snapshot::occurrence_at(uint32_t offset) const {
 }
 
 std::vector<Occurrence> Snapshot::occurrences_of(const Occurrence& occurrence) const {
+  const DefinitionId in_force = find(occurrence.name).value_or(DefinitionId{});
   std::vector<Occurrence> found;
   const auto read = [&](const LocatedDefinition& definition) {
     const NameReader reader(*state_, definition);
     for (uint32_t node = reader.begin(); node < reader.end(); ++node) {
       if (!reader.name(node).valid()) continue;
-      if (is_same_thing(occurrence, reader.name(node), reader.referent(node))) found.push_back(reader.occurrence(node));
+      if (!is_same_thing(occurrence, reader.name(node), reader.referent(node))) continue;
+      found.push_back(reader.without_target(node));
+      const bool is_reference = found.back().referent.kind == Referent::Kind::Definition;
+      if (is_reference && !found.back().target.valid()) found.back().target = in_force;
     }
   };
   if (occurrence.referent.kind == Referent::Kind::Parameter) {
@@ -123,6 +135,8 @@ std::vector<Occurrence> Snapshot::occurrences_of(const Occurrence& occurrence) c
       if (may_hold(definition, occurrence.name)) read(definition);
     }
   }
+  // Unknown commands are in no list of names.
+  if (found.empty() && occurrence.inside.valid()) read(state_->locate(occurrence.inside));
   return found;
 }
 

@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include "source/shared_pool.h"
+
 namespace texbrdf {
 namespace {
 
@@ -9,25 +11,39 @@ constexpr BlockLabel kLastLabel = UINT64_MAX;
 constexpr uint64_t kFirstWindow = 4096;
 constexpr uint64_t kWindowGrowth = 4;
 
-Segment prose_segment(const DocumentPart& part, std::string_view text) {
-  Segment segment{.size = part.size, .reach = part.reach, .block = nullptr, .directives = nullptr};
-  if (part.directives.empty()) return segment;
-  auto directives = std::make_shared<std::vector<Directive>>();
-  for (Span span : part.directives) {
-    if (auto directive = read_directive(text.substr(part.begin + span.begin, span.size()), span)) {
-      directives->push_back(std::move(*directive));
-    }
-  }
-  segment.directives = std::move(directives);
-  return segment;
+/// Stands between two files.
+const Segment kSeparator{.size = 1, .reach = 1, .block = nullptr, .remarks = nullptr};
+
+Include read_include(const IncludeCommand& command, std::string_view part) {
+  const auto text = [part](Span span) { return std::string(part.substr(span.begin, span.size())); };
+  return {{command.kind, text(command.folder), text(command.path)}, command.span};
 }
 
-Segment block_segment(const DocumentPart& part, BlockLabel label) {
-  auto block = std::make_shared<PlacedBlock>();
+std::shared_ptr<const ProseRemarks> read_remarks(const DocumentPart& part, std::string_view text) {
+  ProseRemarks remarks;
+  for (Span span : part.directives) {
+    if (auto directive = read_directive(text.substr(span.begin, span.size()), span)) {
+      remarks.directives.push_back(std::move(*directive));
+    }
+  }
+  for (const IncludeCommand& command : part.includes) remarks.includes.push_back(read_include(command, text));
+  if (remarks.directives.empty() && remarks.includes.empty()) return nullptr;
+  return std::make_shared<const ProseRemarks>(std::move(remarks));
+}
+
+Segment prose_segment(const DocumentPart& part, std::string_view text) {
+  return {.size = part.size,
+          .reach = part.reach,
+          .block = nullptr,
+          .remarks = read_remarks(part, text.substr(part.begin, part.size))};
+}
+
+Segment block_segment(const DocumentPart& part, BlockLabel label, SharedPool<PlacedBlock>& blocks) {
+  std::shared_ptr<PlacedBlock> block = blocks.make();
   block->label = label;
   block->extent = *part.block;
   block->extent.whole = {0, part.size};
-  return {.size = part.size, .reach = part.reach, .block = std::move(block), .directives = nullptr};
+  return {.size = part.size, .reach = part.reach, .block = std::move(block), .remarks = nullptr};
 }
 
 /// Labels between two others, evenly spread; empty where they do not fit.
@@ -41,13 +57,15 @@ std::vector<BlockLabel> labels_between(BlockLabel low, BlockLabel high, size_t c
 
 class Rescanner {
  public:
-  Rescanner(const SegmentSequence& old, const SourceText& text, const TextEdit& edit)
-      : old_(old), text_(text), edit_(edit) {
-    auto first = old.find([&](const Segment::Measure& sum) { return sum.reach >= edit.begin; });
-    if (first.item == nullptr && !old.empty()) first = old.at(old.size() - 1);
+  Rescanner(const SegmentSequence& old, const ProjectText& text, const TextEdit& edit)
+      : old_(old), text_(text.file(edit.file)), edit_(edit), origin_(text.begin(edit.file)) {
+    const auto first_of_file = segment_at(0);
+    auto first = old.find([&](const Segment::Measure& sum) { return sum.reach >= origin_ + edit.begin; });
+    if (first.index < first_of_file.index) first = first_of_file;
     first_ = first.index;
-    begin_ = first.before.bytes;
+    begin_ = first.before.bytes - origin_;
     low_label_ = first.before.last_label;
+    end_of_file_ = segment_at(text_.size() - edit.new_size + edit.old_size).index;
   }
 
   Rescan run() {
@@ -57,6 +75,12 @@ class Rescanner {
   }
 
  private:
+  /// The old segment that holds the byte of the file, before the edit.
+  SegmentSequence::Place segment_at(uint32_t old_byte) const {
+    const uint32_t at = origin_ + old_byte;
+    return old_.find([at](const Segment::Measure& sum) { return sum.bytes > at; });
+  }
+
   uint64_t first_window() const { return edit_.begin - begin_ + edit_.new_size + kFirstWindow; }
 
   /// False where more of the text has to be seen.
@@ -72,20 +96,20 @@ class Rescanner {
       parts_.push_back(std::move(*part));
       if (agrees_at(at)) return true;
     }
-    behind_ = old_.size();
+    behind_ = end_of_file_;
     return is_whole;
   }
 
   bool agrees_at(uint32_t at) {
     if (at == text_.size()) {
-      behind_ = old_.size();
+      behind_ = end_of_file_;
       return true;
     }
     if (at < edit_.begin + edit_.new_size) return false;
     const uint32_t old_at = at - edit_.new_size + edit_.old_size;
-    const auto next = old_.find([old_at](const Segment::Measure& sum) { return sum.bytes > old_at; });
+    const auto next = segment_at(old_at);
     behind_ = next.index;
-    return next.before.bytes == old_at;
+    return next.before.bytes == origin_ + old_at;
   }
 
   size_t block_count() const {
@@ -103,7 +127,6 @@ class Rescanner {
     });
     const std::vector<BlockLabel> labels = choose_labels(result.removed);
     if (labels.size() < block_count()) {
-      result.segments = scan_document(text_);
       result.relabelled = true;
       return result;
     }
@@ -132,9 +155,10 @@ class Rescanner {
   std::vector<Segment> new_segments(const std::vector<BlockLabel>& labels,
                                     std::vector<std::shared_ptr<const PlacedBlock>>& added) const {
     std::vector<Segment> segments;
+    SharedPool<PlacedBlock> blocks(labels.size());
     for (const DocumentPart& part : parts_) {
       if (part.block) {
-        segments.push_back(block_segment(part, labels[added.size()]));
+        segments.push_back(block_segment(part, labels[added.size()], blocks));
         added.push_back(segments.back().block);
       } else {
         segments.push_back(prose_segment(part, window_));
@@ -146,9 +170,11 @@ class Rescanner {
   const SegmentSequence& old_;
   const SourceText& text_;
   const TextEdit edit_;
+  const uint32_t origin_;     // of the file among all
   uint32_t first_ = 0;        // the first segment that is scanned again
-  uint32_t begin_ = 0;        // its first byte
+  uint32_t begin_ = 0;        // its first byte, in the file
   BlockLabel low_label_ = 0;  // of the block before it
+  uint32_t end_of_file_ = 0;  // the first old segment behind the file
   uint32_t behind_ = 0;       // the first segment behind it that stays
   std::string window_;
   std::vector<DocumentPart> parts_;
@@ -156,22 +182,44 @@ class Rescanner {
 
 }  // namespace
 
-SegmentSequence scan_document(const SourceText& text) {
-  const std::string bytes = text.bytes();
-  const std::vector<DocumentPart> parts = scan_parts(bytes);
-  const auto blocks = std::ranges::count_if(parts, [](const DocumentPart& p) { return p.block.has_value(); });
-  const std::vector<BlockLabel> labels = labels_between(0, kLastLabel, static_cast<size_t>(blocks));
-  std::vector<Segment> segments;
-  segments.reserve(parts.size());
-  size_t block = 0;
-  for (const DocumentPart& part : parts) {
-    segments.push_back(part.block ? block_segment(part, labels[block++]) : prose_segment(part, bytes));
+SegmentSequence scan_files(const ProjectText& text) {
+  std::vector<std::string> bytes;
+  std::vector<std::vector<DocumentPart>> parts;
+  size_t blocks = 0;
+  for (uint32_t file = 0; file < text.file_count(); ++file) {
+    bytes.push_back(text.file({file}).bytes());
+    parts.push_back(scan_parts(bytes.back()));
+    blocks += static_cast<size_t>(
+        std::ranges::count_if(parts.back(), [](const DocumentPart& part) { return part.block.has_value(); }));
   }
-  return SegmentSequence(segments);
+  const std::vector<BlockLabel> labels = labels_between(0, kLastLabel, blocks);
+  SharedPool<PlacedBlock> placed(blocks);
+  std::vector<Segment> segments;
+  size_t block = 0;
+  for (size_t file = 0; file < parts.size(); ++file) {
+    if (file > 0) segments.push_back(kSeparator);
+    segments.reserve(segments.size() + parts[file].size());
+    for (const DocumentPart& part : parts[file]) {
+      segments.push_back(part.block ? block_segment(part, labels[block++], placed) : prose_segment(part, bytes[file]));
+    }
+  }
+  return SegmentSequence(std::move(segments));
 }
 
-Rescan rescan(const SegmentSequence& segments, const SourceText& text, const TextEdit& edit) {
+Rescan rescan(const SegmentSequence& segments, const ProjectText& text, const TextEdit& edit) {
   return Rescanner(segments, text, edit).run();
+}
+
+SegmentSequence with_empty_file(const SegmentSequence& segments, const ProjectText& text, FileId file) {
+  const uint32_t end_before = text.span({file.value - 1}).end;
+  const auto behind = segments.find([end_before](const Segment::Measure& sum) { return sum.bytes > end_before; });
+  return segments.with(behind.index, 0, std::span(&kSeparator, 1));
+}
+
+SegmentSequence without_empty_file(const SegmentSequence& segments, const ProjectText& text, FileId file) {
+  const uint32_t end_before = text.span({file.value - 1}).end;
+  const auto separator = segments.find([end_before](const Segment::Measure& sum) { return sum.bytes > end_before; });
+  return segments.with(separator.index, 1, {});
 }
 
 }  // namespace texbrdf

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "analysis/project_text.h"
 #include "analysis/segment.h"
-#include "source/source_text.h"
 
 namespace texbrdf {
 
@@ -12,21 +12,27 @@ struct Rescan {
   SegmentSequence segments;
   std::vector<std::shared_ptr<const PlacedBlock>> removed;
   std::vector<std::shared_ptr<const PlacedBlock>> added;  ///< not read yet; one in the place of another has its label
-  /// No label was left between two blocks: all have new ones, and `removed` and `added` say nothing.
+  /// No label was left between two blocks: all need new ones, and nothing else is told.
   bool relabelled = false;
 };
 
-/// The bytes [begin, begin + old_size) were replaced by new_size others.
+/// In a file, the bytes [begin, begin + old_size) were replaced by new_size others.
 struct TextEdit {
+  FileId file;
   uint32_t begin = 0;
   uint32_t old_size = 0;
   uint32_t new_size = 0;
 };
 
-SegmentSequence scan_document(const SourceText& text);
+/// Each file is scanned on its own; between two stands a segment of one byte.
+SegmentSequence scan_files(const ProjectText& text);
 
 /// Scans from the last segment that nothing of the edit decides until old and new segments begin at the same byte.
 /// `text` is that after the edit.
-Rescan rescan(const SegmentSequence& segments, const SourceText& text, const TextEdit& edit);
+Rescan rescan(const SegmentSequence& segments, const ProjectText& text, const TextEdit& edit);
+
+/// An empty file is put in, not as the first, or taken out. `text` is that without it.
+SegmentSequence with_empty_file(const SegmentSequence& segments, const ProjectText& text, FileId file);
+SegmentSequence without_empty_file(const SegmentSequence& segments, const ProjectText& text, FileId file);
 
 }  // namespace texbrdf

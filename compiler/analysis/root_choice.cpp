@@ -27,12 +27,12 @@ class RootSearch {
   void read_directives() {
     state_.segments.visit_where([](const Segment::Measure& sum) { return sum.directives > 0; },
                                 [&](const Segment& segment, const Segment::Measure&) {
-                                  read(segment.block ? segment.block->analysed->directives : *segment.directives);
+                                  read(directives_of(segment));
                                   return true;
                                 });
   }
 
-  void read(const std::vector<Directive>& directives) {
+  void read(std::span<const Directive> directives) {
     choice_.has_directives = true;
     for (const Directive& directive : directives) {
       if (directive.kind == Directive::Kind::Root && choice_.name.empty())

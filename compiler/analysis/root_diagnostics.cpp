@@ -54,8 +54,9 @@ class RootDiagnostics {
     } else {
       report_missing();
     }
+    report_includes();
     follow_directives();
-    std::ranges::stable_sort(all_, {}, &Diagnostic::where);
+    std::ranges::sort(all_, {}, [](const Diagnostic& d) { return std::pair(d.where, d.code); });
     return std::move(all_);
   }
 
@@ -85,7 +86,7 @@ class RootDiagnostics {
   void report_missing() {
     const Segment::Measure sum = state_.segments.measure();
     if (sum.definitions == 0 || sum.without_definition > 0) return;
-    const DefinitionId last{sum.definitions - 1};
+    const DefinitionId last = state_.view.definition(sum.definitions - 1);
     all_.push_back(make_diagnostic(Code::MissingRoot, state_.locate(last).name_place(), {root_}));
   }
 
@@ -93,8 +94,7 @@ class RootDiagnostics {
     uint32_t told = 0;
     state_.segments.visit_where([](const Segment::Measure& sum) { return sum.unused > 0; },
                                 [&](const Segment& segment, const Segment::Measure& before) {
-                                  const LocatedBlock block{segment.block.get(), BlockId{before.blocks}, before.bytes,
-                                                           before.definitions};
+                                  const LocatedBlock block = state_.located(segment, before);
                                   for (uint32_t i = 0; i < block.block->definitions.size(); ++i)
                                     hint_unused({block, i});
                                   told += block.block->unused;
@@ -118,14 +118,38 @@ class RootDiagnostics {
   }
 
   void follow(const Segment& segment, uint32_t offset) {
-    for (const Directive& directive : segment.block ? segment.block->analysed->directives : *segment.directives) {
+    for (const Directive& directive : directives_of(segment)) {
       if (directive.kind == Directive::Kind::Allow && !segment.block) {
         std::erase_if(all_, [&](const Diagnostic& d) { return code_name(d.code) == directive.argument; });
       } else if (directive.kind == Directive::Kind::Unknown) {
-        const Span absolute{offset + directive.span.begin, offset + directive.span.end};
-        const Location where{.file = {}, .block = kNoBlock, .span = absolute};
-        all_.push_back(make_diagnostic(Code::UnknownDirective, where, {state_.text.slice(absolute)}));
+        const Span in_project{offset + directive.span.begin, offset + directive.span.end};
+        const Location where = place_in_prose(in_project);
+        all_.push_back(make_diagnostic(Code::UnknownDirective, where, {state_.text.slice(in_project)}));
       }
+    }
+  }
+
+  Location place_in_prose(Span in_project) const {
+    const uint32_t begin = state_.view.offset(in_project.begin);
+    return {.file = {}, .block = kNoBlock, .span = {begin, begin + in_project.size()}};
+  }
+
+  void report_includes() {
+    if (state_.include_problems->empty()) return;
+    state_.segments.visit_where([](const Segment::Measure& sum) { return sum.includes > 0; },
+                                [&](const Segment& segment, const Segment::Measure& before) {
+                                  for (const Include& include : segment.remarks->includes)
+                                    report_include(include, before.bytes);
+                                  return true;
+                                });
+  }
+
+  void report_include(const Include& include, uint32_t offset) {
+    const FileId file = state_.text.file_at(offset);
+    for (const IncludeProblem& problem : *state_.include_problems) {
+      if (problem.file != file || problem.target != include.target) continue;
+      const Location where = place_in_prose({offset + include.span.begin, offset + include.span.end});
+      all_.push_back(make_diagnostic(problem.code, where, {problem.argument}));
     }
   }
 

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "analysis/analysed_block.h"
 #include "analysis/definition_record.h"
 #include "analysis/directive.h"
+#include "analysis/include.h"
 #include "source/sequence.h"
 
 namespace texbrdf {
@@ -33,6 +35,12 @@ struct PlacedBlock {
   uint32_t candidates = 0;  ///< definitions in force whose name may be that of a BRDF
 };
 
+/// What prose says to texbrdf.
+struct ProseRemarks {
+  std::vector<Directive> directives;
+  std::vector<Include> includes;
+};
+
 /// A stretch of the document: a block, or prose.
 struct Segment {
   struct Measure {
@@ -45,24 +53,34 @@ struct Segment {
     uint32_t unused = 0;
     uint32_t candidates = 0;
     uint32_t directives = 0;
+    uint32_t includes = 0;
     BlockLabel last_label = 0;
     friend Measure operator+(const Measure& a, const Measure& b) {
-      return {a.bytes + b.bytes,           std::max(a.reach, a.bytes + b.reach),
-              a.blocks + b.blocks,         a.definitions + b.definitions,
-              a.reports + b.reports,       a.without_definition + b.without_definition,
-              a.unused + b.unused,         a.candidates + b.candidates,
-              a.directives + b.directives, std::max(a.last_label, b.last_label)};
+      return {a.bytes + b.bytes,
+              std::max(a.reach, a.bytes + b.reach),
+              a.blocks + b.blocks,
+              a.definitions + b.definitions,
+              a.reports + b.reports,
+              a.without_definition + b.without_definition,
+              a.unused + b.unused,
+              a.candidates + b.candidates,
+              a.directives + b.directives,
+              a.includes + b.includes,
+              std::max(a.last_label, b.last_label)};
     }
   };
 
   uint32_t size = 0;
   uint32_t reach = 0;
-  std::shared_ptr<const PlacedBlock> block;                  ///< nullptr for prose
-  std::shared_ptr<const std::vector<Directive>> directives;  ///< of prose that has some, else nullptr
+  std::shared_ptr<const PlacedBlock> block;     ///< nullptr for prose
+  std::shared_ptr<const ProseRemarks> remarks;  ///< of prose that has some, else nullptr
 
   Measure measure() const {
     Measure sum{.bytes = size, .reach = reach};
-    if (directives) sum.directives = static_cast<uint32_t>(directives->size());
+    if (remarks) {
+      sum.directives = static_cast<uint32_t>(remarks->directives.size());
+      sum.includes = static_cast<uint32_t>(remarks->includes.size());
+    }
     if (!block) return sum;
     sum.blocks = 1;
     sum.definitions = static_cast<uint32_t>(block->definitions.size());
@@ -77,6 +95,11 @@ struct Segment {
 };
 
 using SegmentSequence = Sequence<Segment>;
+
+inline std::span<const Directive> directives_of(const Segment& segment) {
+  if (segment.block) return segment.block->analysed->directives;
+  return segment.remarks ? std::span<const Directive>(segment.remarks->directives) : std::span<const Directive>();
+}
 
 /// The block of the label; `item` is nullptr or another segment where there is none.
 inline SegmentSequence::Place find_block(const SegmentSequence& segments, BlockLabel label) {

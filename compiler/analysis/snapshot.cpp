@@ -8,20 +8,12 @@
 namespace texbrdf {
 namespace {
 
-LocatedBlock located(const Segment& segment, const Segment::Measure& before) {
-  return {segment.block.get(), BlockId{before.blocks}, before.bytes, before.definitions};
-}
-
-LocatedBlock located(const SegmentSequence::Place& place) {
-  require(place.item != nullptr && place.item->block != nullptr, "a block that is asked for exists");
-  return located(*place.item, place.before);
-}
-
 Block public_block(const LocatedBlock& at) {
   // Both share the ownership of the whole analysed block.
   return {.offset = at.offset,
           .parsed = {at.block->analysed, &at.block->analysed->parsed},
-          .names = {at.block->analysed, &at.block->analysed->names}};
+          .names = {at.block->analysed, &at.block->analysed->names},
+          .identity = at.block};
 }
 
 Definition public_definition(const LocatedDefinition& at) {
@@ -36,22 +28,43 @@ Definition public_definition(const LocatedDefinition& at) {
 
 }  // namespace
 
+FileView::FileView(const ProjectText& text, const SegmentSequence& segments, FileId file)
+    : file_(file), all_(segments.measure()) {
+  const Span span = text.span(file);
+  ++all_.bytes;  // an offset can be behind the last file
+  const auto sum_before = [&](uint32_t at) {
+    if (at == 0) return Segment::Measure{};
+    return segments.find([at](const Segment::Measure& sum) { return sum.bytes > at; }).before;
+  };
+  before_ = sum_before(span.begin);
+  const Segment::Measure behind = text.file_count() == 1 ? all_ : sum_before(span.end);
+  blocks_ = behind.blocks - before_.blocks;
+  definitions_ = behind.definitions - before_.definitions;
+}
+
 LocatedBlock Snapshot::State::locate(BlockId id) const {
-  if (const AllBlocks* all = listed.load(std::memory_order_acquire)) return all->blocks[id.value];
-  return located(segments.find([id](const Segment::Measure& sum) { return sum.blocks > id.value; }));
+  const uint32_t block = view.in_project(id);
+  if (const AllBlocks* all = listed.load(std::memory_order_acquire)) return all->blocks[block];
+  return located_at(segments.find([block](const Segment::Measure& sum) { return sum.blocks > block; }));
 }
 
 LocatedDefinition Snapshot::State::locate(DefinitionId id) const {
+  const uint32_t definition = view.in_project(id);
   if (const AllBlocks* all = listed.load(std::memory_order_acquire)) {
-    const LocatedBlock& block = all->blocks[all->block_of[id.value]];
+    const LocatedBlock& block = all->blocks[all->block_of[definition]];
     return {block, id.value - block.first_definition};
   }
-  const auto place = segments.find([id](const Segment::Measure& sum) { return sum.definitions > id.value; });
-  return {located(place), id.value - place.before.definitions};
+  const auto place = segments.find([definition](const Segment::Measure& sum) { return sum.definitions > definition; });
+  return {located_at(place), definition - place.before.definitions};
 }
 
 LocatedBlock Snapshot::State::locate(BlockLabel label) const {
-  return located(find_block(segments, label));
+  return located_at(find_block(segments, label));
+}
+
+LocatedBlock Snapshot::State::located_at(const SegmentSequence::Place& place) const {
+  require(place.item != nullptr && place.item->block != nullptr, "a block that is asked for exists");
+  return located(*place.item, place.before);
 }
 
 std::optional<DefinitionKey> Snapshot::State::find(NameId name) const {
@@ -65,12 +78,31 @@ std::optional<DefinitionKey> Snapshot::State::find(NameId name) const {
 Snapshot::Snapshot(std::shared_ptr<const State> state) : state_(std::move(state)) {}
 
 const SourceText& Snapshot::text() const {
-  return state_->text;
+  return state_->text.file(state_->view.file());
+}
+FileId Snapshot::file() const {
+  return state_->view.file();
+}
+uint32_t Snapshot::file_count() const {
+  return state_->text.file_count();
+}
+const SourceText& Snapshot::text(FileId file) const {
+  return state_->text.file(file);
+}
+FilePlace Snapshot::place(Span span) const {
+  if (span.end <= text().size()) return {file(), span};
+  const uint32_t begin = state_->view.offset_in_project(span.begin);
+  const FileId id = state_->text.file_at(begin);
+  const uint32_t relative = begin - state_->text.begin(id);
+  return {id, {relative, relative + span.size()}};
 }
 SnapshotRange<Block, BlockId> Snapshot::blocks() const {
-  return {*this, state_->segments.measure().blocks};
+  return {*this, state_->view.blocks()};
 }
 SnapshotRange<Definition, DefinitionId> Snapshot::definitions() const {
+  return {*this, state_->view.definitions()};
+}
+SnapshotRange<Definition, DefinitionId> Snapshot::all_definitions() const {
   return {*this, state_->segments.measure().definitions};
 }
 Block Snapshot::block(BlockId id) const {
@@ -89,9 +121,10 @@ const BlockNames& Snapshot::names_of(BlockId id) const {
   return state_->locate(id).block->analysed->names;
 }
 std::optional<BlockId> Snapshot::block_at(uint32_t offset) const {
-  const auto place = state_->segments.find([offset](const Segment::Measure& sum) { return sum.bytes > offset; });
+  const uint32_t at = state_->view.offset_in_project(std::min(offset, text().size()));
+  const auto place = state_->segments.find([at](const Segment::Measure& sum) { return sum.bytes > at; });
   const bool starts_here = place.item != nullptr && place.item->block != nullptr;
-  const uint32_t blocks = place.before.blocks + (starts_here ? 1 : 0);
+  const uint32_t blocks = place.before.blocks + (starts_here ? 1 : 0) - state_->view.blocks_before();
   if (blocks == 0) return std::nullopt;
   return BlockId{blocks - 1};
 }
@@ -117,7 +150,7 @@ void Snapshot::list_all() const {
     state_->segments.visit_from(0, [&](const Segment& segment, const Segment::Measure& before) {
       if (!segment.block) return true;
       all->block_of.resize(all->block_of.size() + segment.block->definitions.size(), before.blocks);
-      all->blocks.push_back(located(segment, before));
+      all->blocks.push_back(state_->located(segment, before));
       return true;
     });
     state_->all_blocks = std::move(all);

@@ -38,6 +38,15 @@ struct Block {
   uint32_t offset = 0;  ///< absolute, of its first byte
   std::shared_ptr<const ParsedBlock> parsed;
   std::shared_ptr<const BlockNames> names;
+  /// As long as two snapshots live, equal in both exactly where the block and all that was found out about it are the
+  /// same.
+  const void* identity = nullptr;
+};
+
+/// A place in one of a project's files.
+struct FilePlace {
+  FileId file;
+  Span span;  ///< of the file's text
 };
 
 /// The definitions of one block: [first, end).
@@ -102,17 +111,27 @@ class SnapshotRange {
 
 /// A document as it is at one version: text, blocks, definitions, types. Immutable; the facade that everything outside
 /// the compiler uses. All spans given out are absolute byte ranges of `text()` unless said otherwise.
+/// A project of several files is seen from one of them. What is found in another file has a span behind the end of
+/// `text()`: `place` tells where that is.
 class Snapshot {
  public:
+  /// Of the file.
   const SourceText& text() const;
   SnapshotRange<Block, BlockId> blocks() const;
   SnapshotRange<Definition, DefinitionId> definitions() const;
+  /// The file's, then those of all others.
+  SnapshotRange<Definition, DefinitionId> all_definitions() const;
+  FileId file() const;
+  uint32_t file_count() const;
+  const SourceText& text(FileId file) const;
+  FilePlace place(Span span) const;
+  bool is_in_file(Span span) const { return span.end <= text().size(); }
   Block block(BlockId id) const;
   Definition definition(DefinitionId id) const;
   const DefinitionSyntax& syntax(DefinitionId id) const;
   const ParsedBlock& parsed(BlockId id) const;
   const BlockNames& names_of(BlockId id) const;
-  /// The last block that starts at or before the offset.
+  /// The last block of the file that starts at or before the offset.
   std::optional<BlockId> block_at(uint32_t offset) const;
   DefinitionRange definitions_of(BlockId id) const;
   const NameTable& names() const;

@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "analysis/engine_state.h"
+#include "analysis/include.h"
 #include "analysis/snapshot.h"
 #include "analysis/suggestions.h"
 
@@ -33,6 +34,44 @@ struct LocatedDefinition {
   Location name_place() const { return {.file = {}, .block = at.id, .span = at.parsed().span(syntax().name)}; }
 };
 
+/// A project as it is seen from one of its files: that file comes first, and those before it come behind all others. So
+/// the offsets, blocks and definitions of the file count from 0.
+class FileView {
+ public:
+  FileView() = default;
+  FileView(const ProjectText& text, const SegmentSequence& segments, FileId file);
+
+  FileId file() const { return file_; }
+  uint32_t blocks() const { return blocks_; }            ///< in the file
+  uint32_t definitions() const { return definitions_; }  ///< in the file
+
+  uint32_t offset(uint32_t in_project) const { return turned(in_project, before_.bytes, all_.bytes); }
+  BlockId block(uint32_t in_project) const { return {turned(in_project, before_.blocks, all_.blocks)}; }
+  DefinitionId definition(uint32_t in_project) const {
+    return {turned(in_project, before_.definitions, all_.definitions)};
+  }
+  uint32_t offset_in_project(uint32_t seen) const { return turned_back(seen, before_.bytes, all_.bytes); }
+  uint32_t in_project(BlockId seen) const { return turned_back(seen.value, before_.blocks, all_.blocks); }
+  uint32_t in_project(DefinitionId seen) const {
+    return turned_back(seen.value, before_.definitions, all_.definitions);
+  }
+  uint32_t blocks_before() const { return before_.blocks; }
+
+ private:
+  static uint32_t turned(uint32_t value, uint32_t before, uint32_t all) {
+    return value >= before ? value - before : value + (all - before);
+  }
+  static uint32_t turned_back(uint32_t value, uint32_t before, uint32_t all) {
+    return value < all - before ? value + before : value - (all - before);
+  }
+
+  FileId file_;
+  uint32_t blocks_ = 0;
+  uint32_t definitions_ = 0;
+  Segment::Measure before_;  // of the files before
+  Segment::Measure all_;
+};
+
 /// A diagnostic and the name whose definition it is about, if any.
 struct Report {
   Diagnostic diagnostic;
@@ -41,8 +80,10 @@ struct Report {
 
 /// What a Snapshot holds: the part of the engine's state that does not change any more.
 struct Snapshot::State {
-  SourceText text;
+  ProjectText text;
   SegmentSequence segments;
+  FileView view;
+  std::shared_ptr<const std::vector<IncludeProblem>> include_problems;
   std::shared_ptr<const NameTable> names;
   NameIndex name_index;
   bool lists_users = false;
@@ -64,6 +105,12 @@ struct Snapshot::State {
   mutable std::unique_ptr<const AllBlocks> all_blocks;
   mutable std::atomic<const AllBlocks*> listed = nullptr;
 
+  /// Where `before` is the sum of all before the segment of a block.
+  LocatedBlock located(const Segment& segment, const Segment::Measure& before) const {
+    return {segment.block.get(), view.block(before.blocks), view.offset(before.bytes),
+            view.definition(before.definitions).value};
+  }
+  LocatedBlock located_at(const SegmentSequence::Place& place) const;
   LocatedBlock locate(BlockId id) const;
   LocatedDefinition locate(DefinitionId id) const;
   LocatedBlock locate(BlockLabel label) const;

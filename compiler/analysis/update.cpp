@@ -7,6 +7,7 @@
 #include "analysis/check_changes.h"
 #include "analysis/definition_heights.h"
 #include "analysis/root_choice.h"
+#include "source/shared_pool.h"
 
 namespace texbrdf {
 namespace {
@@ -22,11 +23,17 @@ class Update {
   UpdateResult run() {
     const std::vector<BlockChange> changes = read_changed_blocks(state_, touched_, blocks_, result_.counters);
     names_ = update_names(state_, changes);
-    std::vector<NameId> to_check = order_definitions(state_, blocks_, names_.reordered);
-    to_check.insert(to_check.end(), names_.to_check.begin(), names_.to_check.end());
-    check_changes(state_, blocks_, to_check, result_.counters);
-    mark_definitions();
-    store_blocks();
+    OrderChange order = order_definitions(state_, blocks_, names_.reordered);
+    if (is_all_new()) {
+      check_all(state_, blocks_, order.order, result_.counters);
+      store_blocks();
+    } else {
+      std::vector<NameId> to_check = std::move(order.knotted);
+      to_check.insert(to_check.end(), names_.to_check.begin(), names_.to_check.end());
+      check_changes(state_, blocks_, to_check, result_.counters);
+      mark_definitions();
+      store_blocks();
+    }
     store_names();
     choose_root(state_);
     result_.other_definitions = !names_.listed.empty();
@@ -34,12 +41,11 @@ class Update {
   }
 
  private:
+  // Users are listed with the first change of a document that was checked before.
+  bool is_all_new() const { return !state_.lists_users; }
+
   void mark_definitions() {
-    is_mentioned_.resize(state_.names->size());
-    if (!state_.lists_users) {
-      for (NameId name : names_.mentioned) is_mentioned_[name.value] = true;
-    }
-    for (size_t i = 0; i < blocks_.all().size(); ++i) mark_block(blocks_.open(blocks_.all()[i].label));
+    for (WorkingBlock& block : blocks_.all()) mark_block(block);
     for (NameId name : names_.listed) mark_first(name);
     for (NameId name : names_.mentioned) mark_first(name);
   }
@@ -56,7 +62,7 @@ class Update {
   }
 
   bool is_used(NameId name) const {
-    return state_.lists_users ? !state_.occurrences[name.value].users.empty() : is_mentioned_[name.value];
+    return state_.lists_users ? !state_.occurrences[name.value].users.empty() : names_.is_mentioned[name.value];
   }
 
   // Of the definitions that did not change only the first can have come into force or out of it.
@@ -73,16 +79,19 @@ class Update {
     });
   }
 
-  std::shared_ptr<const PlacedBlock> placed(const WorkingBlock& block) const {
-    auto placed = std::make_shared<PlacedBlock>(PlacedBlock{
-        .label = block.label, .extent = block.extent, .analysed = block.analysed, .definitions = block.definitions});
-    placed->reports = count_reports(block);
+  /// Takes the block's content: it is not asked for any more.
+  std::shared_ptr<const PlacedBlock> placed(WorkingBlock& block) {
+    if (is_all_new()) mark_block(block);
+    PlacedBlock placed{.label = block.label, .extent = block.extent, .analysed = nullptr, .definitions = {}};
+    placed.reports = count_reports(block);
     for (uint32_t i = 0; i < block.definitions.size(); ++i) {
       const PlacedDefinition& definition = block.definitions[i];
-      if (definition.in_force && !definition.is_used) ++placed->unused;
-      if (definition.in_force && state_.names->traits(block.analysed->defined(i)).may_be_brdf) ++placed->candidates;
+      if (definition.in_force && !definition.is_used) ++placed.unused;
+      if (definition.in_force && state_.names->traits(block.analysed->defined(i)).may_be_brdf) ++placed.candidates;
     }
-    return placed;
+    placed.analysed = std::move(block.analysed);
+    placed.definitions = std::move(block.definitions);
+    return placed_.make(std::move(placed));
   }
 
   uint32_t count_reports(const WorkingBlock& block) const {
@@ -97,11 +106,12 @@ class Update {
   }
 
   void store_blocks() {
-    if (blocks_.all().size() > state_.segments.size() / kFewest) {
+    placed_ = SharedPool<PlacedBlock>(blocks_.all().size());
+    if (touched_.all || blocks_.all().size() > state_.segments.size() / kFewest) {
       store_all_blocks();
       return;
     }
-    for (const WorkingBlock& block : blocks_.all()) {
+    for (WorkingBlock& block : blocks_.all()) {
       const auto place = find_block(state_.segments, block.label);
       Segment segment = *place.item;
       segment.block = placed(block);
@@ -110,22 +120,28 @@ class Update {
   }
 
   void store_all_blocks() {
+    if (touched_.all) {
+      state_.segments.change_all([&](Segment& segment) {
+        if (segment.block) segment.block = placed(*blocks_.find(segment.block->label));
+      });
+      return;
+    }
     std::vector<Segment> segments;
     segments.reserve(state_.segments.size());
     state_.segments.visit_from(0, [&](const Segment& segment, const Segment::Measure&) {
       segments.push_back(segment);
       if (!segment.block) return true;
-      if (const WorkingBlock* block = blocks_.find(segment.block->label)) segments.back().block = placed(*block);
+      if (WorkingBlock* block = blocks_.find(segment.block->label)) segments.back().block = placed(*block);
       return true;
     });
-    state_.segments = SegmentSequence(segments);
+    state_.segments = SegmentSequence(std::move(segments));
   }
 
   void store_names() {
     const size_t changed = names_.listed.size() + names_.mentioned.size();
     const bool is_first_listing = state_.lists_users && !listed_users_;
     if (is_first_listing || changed > index_.size() / kFewest) {
-      result_.name_index = NameIndex(state_.occurrences);
+      result_.name_index = NameIndex(std::span(std::as_const(state_.occurrences)));
       return;
     }
     const std::span all(state_.occurrences);
@@ -144,7 +160,7 @@ class Update {
   const bool listed_users_ = state_.lists_users;  // before
   WorkingBlocks blocks_;
   ChangedNames names_;
-  std::vector<bool> is_mentioned_;  // by NameId, of a document that is all new
+  SharedPool<PlacedBlock> placed_{1};
   UpdateResult result_;
 };
 

@@ -20,14 +20,8 @@ class WorkingBlocks {
  public:
   explicit WorkingBlocks(const SegmentSequence& segments) : segments_(segments) {}
 
-  void reserve(size_t blocks) {
-    blocks_.reserve(blocks);
-    places_.reserve(blocks);
-  }
-  void add(WorkingBlock block) {
-    places_[block.label] = blocks_.size();
-    blocks_.push_back(std::move(block));
-  }
+  void reserve(size_t blocks) { blocks_.reserve(blocks); }
+  void add(WorkingBlock block);
 
   /// To change. Precondition: the block exists. Valid until the next call.
   WorkingBlock& open(BlockLabel label);
@@ -38,14 +32,17 @@ class WorkingBlocks {
   const WorkingBlock* find(BlockLabel label) const;
 
   const std::vector<WorkingBlock>& all() const { return blocks_; }
+  std::vector<WorkingBlock>& all() { return blocks_; }
 
  private:
   size_t place_of(BlockLabel label) const;
+  size_t place_in_order(BlockLabel label) const;
 
   const SegmentSequence& segments_;
   std::vector<WorkingBlock> blocks_;
-  std::unordered_map<BlockLabel, size_t> places_;
-  mutable size_t next_ = 0;  // most blocks are asked for one after the other
+  size_t in_order_ = 0;                            // so many from the first on have rising labels
+  std::unordered_map<BlockLabel, size_t> places_;  // of the others
+  mutable size_t next_ = 0;                        // most blocks are asked for one after the other
 };
 
 }  // namespace texbrdf

@@ -61,6 +61,12 @@ class Components {
   }
 
   void close_component(uint32_t root) {
+    if (pending_.back() == root && !mentions_itself(root)) {
+      is_pending_[root] = false;
+      pending_.pop_back();
+      out_.order.push_back(root);
+      return;
+    }
     auto first = pending_.end();
     do {
       --first;
@@ -69,7 +75,7 @@ class Components {
     const std::vector<uint32_t> members(first, pending_.end());
     pending_.erase(first, pending_.end());
     out_.order.insert(out_.order.end(), members.rbegin(), members.rend());
-    if (members.size() > 1 || mentions_itself(root)) out_.knots.push_back(members);
+    out_.knots.push_back(members);
   }
 
   bool mentions_itself(uint32_t index) const {

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "source/shared_pool.h"
+
 namespace texbrdf {
 
 /// An immutable list with sums over its items, kept as a weight-balanced tree (Adams, 1993; balance as in Hirai and
@@ -16,6 +18,8 @@ namespace texbrdf {
 /// other, and `item.measure()` that of one item. Sums that are searched for must grow along the list.
 template <typename Item>
 class Sequence {
+  struct Node;
+
  public:
   using Measure = typename Item::Measure;
 
@@ -26,8 +30,13 @@ class Sequence {
     Measure before;
   };
 
+  /// Lists of one item that are expected to go about together.
+  using Pool = SharedPool<Node>;
+
   Sequence() = default;
+  Sequence(Item item, Pool& pool) : root_(pool.make(node_of(nullptr, std::move(item), nullptr))) {}
   explicit Sequence(std::span<const Item> items) : root_(build(items)) {}
+  explicit Sequence(std::vector<Item> items) : root_(build(std::span(items))) {}
 
   uint32_t size() const { return size_of(root_); }
   bool empty() const { return root_ == nullptr; }
@@ -93,8 +102,15 @@ class Sequence {
     visit_matching(root_.get(), Measure{}, matters, visit);
   }
 
+  /// Changes every item in place. Precondition: neither this list nor one that it was made from has been copied.
+  template <typename Change>
+  void change_all(const Change& change) {
+    change_node(root_, change);
+  }
+
   /// The list with `items` in the place of `count` items from `first` on.
   Sequence with(uint32_t first, uint32_t count, std::span<const Item> items) const {
+    if (empty()) return Sequence(items);
     if (count == 1 && items.size() == 1) return Sequence(with_item(root_, first, items.front()));
     auto [before, rest] = split(root_, first);
     auto [removed, behind] = split(rest, count);
@@ -102,8 +118,7 @@ class Sequence {
   }
 
  private:
-  struct Node;
-  using Link = std::shared_ptr<const Node>;
+  using Link = std::shared_ptr<Node>;
   struct Node {
     Link left, right;
     Item item;
@@ -122,16 +137,30 @@ class Sequence {
   static uint32_t weight(const Link& node) { return size_of(node) + 1; }
   static Measure measure_of(const Link& node) { return node ? node->measure : Measure{}; }
 
-  static Link make(Link left, Item item, Link right) {
+  static Node node_of(Link left, Item item, Link right) {
     const uint32_t size = size_of(left) + size_of(right) + 1;
     const Measure measure = measure_of(left) + item.measure() + measure_of(right);
-    return std::make_shared<const Node>(Node{std::move(left), std::move(right), std::move(item), size, measure});
+    return {std::move(left), std::move(right), std::move(item), size, measure};
+  }
+  static Link make(Link left, Item item, Link right) {
+    return std::make_shared<Node>(node_of(std::move(left), std::move(item), std::move(right)));
   }
 
-  static Link build(std::span<const Item> items) {
+  /// Moves the items unless they are const.
+  template <typename SomeItem>
+  static Link build(std::span<SomeItem> items) {
+    if (items.size() == 1) return make(nullptr, std::move(items.front()), nullptr);
+    std::vector<Pool> pools;  // by depth: no two nodes of one allocation may own each other
+    for (size_t size = items.size(); size > 0; size /= 2) pools.emplace_back(size_t{1} << pools.size());
+    return build(items, pools.data());
+  }
+  template <typename SomeItem>
+  static Link build(std::span<SomeItem> items, Pool* pool) {
     if (items.empty()) return nullptr;
     const size_t middle = items.size() / 2;
-    return make(build(items.first(middle)), items[middle], build(items.subspan(middle + 1)));
+    Link left = build(items.first(middle), pool + 1);
+    Link right = build(items.subspan(middle + 1), pool + 1);
+    return pool->make(node_of(std::move(left), std::move(items[middle]), std::move(right)));
   }
 
   static Link rotate_left(const Link& left, const Item& item, const Link& right) {
@@ -193,6 +222,15 @@ class Sequence {
     if (index < left) return make(with_item(node->left, index, item), node->item, node->right);
     if (index > left) return make(node->left, node->item, with_item(node->right, index - left - 1, item));
     return make(node->left, item, node->right);
+  }
+
+  template <typename Change>
+  static void change_node(const Link& node, const Change& change) {
+    if (!node) return;
+    change_node(node->left, change);
+    change(node->item);
+    change_node(node->right, change);
+    node->measure = measure_of(node->left) + node->item.measure() + measure_of(node->right);
   }
 
   template <typename Visit>

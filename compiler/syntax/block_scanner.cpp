@@ -33,6 +33,24 @@ bool is_blank(char c) {
   return c == ' ' || c == '\t';
 }
 
+struct IncludeWord {
+  std::string_view word;
+  IncludeCommand::Kind kind;
+};
+constexpr auto kIncludeWords = std::to_array<IncludeWord>({{"input", IncludeCommand::Kind::Input},
+                                                           {"include", IncludeCommand::Kind::Input},
+                                                           {"subfile", IncludeCommand::Kind::Subfile},
+                                                           {"subfileinclude", IncludeCommand::Kind::Subfile},
+                                                           {"import", IncludeCommand::Kind::Import},
+                                                           {"includefrom", IncludeCommand::Kind::Import},
+                                                           {"inputfrom", IncludeCommand::Kind::Import},
+                                                           {"subimport", IncludeCommand::Kind::SubImport},
+                                                           {"subincludefrom", IncludeCommand::Kind::SubImport},
+                                                           {"subinputfrom", IncludeCommand::Kind::SubImport}});
+
+/// No path that matters here is longer.
+constexpr size_t kLongestPath = 1024;
+
 bool is_line_end(char c) {
   return c == '\n' || c == '\r';
 }
@@ -105,6 +123,8 @@ class MarkReader {
 
   /// Comments `% texbrdf:` since they were last taken.
   std::vector<Span> take_directives() { return std::exchange(directives_, {}); }
+  /// Absolute, since they were last taken.
+  std::vector<IncludeCommand> take_includes() { return std::exchange(includes_, {}); }
   /// Where the lines of comments begin, the first of them a directive, that end right above `mark`; else its begin.
   uint32_t with_directives(const Mark& mark) const {
     return has_run_ && run_end_ == mark.span.begin ? run_begin_ : mark.span.begin;
@@ -161,8 +181,42 @@ class MarkReader {
       return read_end(backslash);
     } else if (word == "verb") {
       skip_verb();
+    } else if (const auto include = std::ranges::find(kIncludeWords, word, &IncludeWord::word);
+               include != kIncludeWords.end()) {
+      read_include(backslash, include->kind);
     }
     return std::nullopt;
+  }
+
+  /// A path that holds a command or a parameter of a macro is none that could be read.
+  void read_include(size_t backslash, IncludeCommand::Kind kind) {
+    IncludeCommand include{.kind = kind, .span = {}, .folder = {}, .path = {}};
+    const bool has_folder = kind == IncludeCommand::Kind::Import || kind == IncludeCommand::Kind::SubImport;
+    const size_t behind_word = at_;
+    if (has_folder) include.folder = read_path();
+    if (!has_folder || at_ != behind_word) include.path = read_path();
+    if (include.path.empty()) {
+      at_ = behind_word;
+      return;
+    }
+    include.span = span(backslash, at_);
+    includes_.push_back(include);
+  }
+
+  /// What stands in `{…}`, without spaces around; empty, and nothing is consumed, where there is no path.
+  Span read_path() {
+    size_t open = at_;
+    while (open < text_.size() && is_blank(text_[open])) ++open;
+    if (open >= text_.size() || text_[open] != '{') return {};
+    const std::string_view rest = text_.substr(open + 1, kLongestPath);
+    const size_t size = rest.find_first_of("}{\\%#|\r\n");
+    if (size == std::string_view::npos || rest[size] != '}') return {};
+    size_t begin = open + 1;
+    size_t end = begin + size;
+    at_ = end + 1;
+    while (begin < end && is_blank(text_[begin])) ++begin;
+    while (begin < end && is_blank(text_[end - 1])) --end;
+    return span(begin, end);
   }
 
   std::optional<Mark> read_begin(size_t backslash) {
@@ -216,6 +270,7 @@ class MarkReader {
   NextCharacter backslash_;
   NextCharacter percent_;
   std::vector<Span> directives_;
+  std::vector<IncludeCommand> includes_;
   bool has_run_ = false;
   uint32_t run_begin_ = 0;
   uint32_t run_end_ = 0;
@@ -281,6 +336,7 @@ DocumentPart scan_block(MarkReader& reader, std::string_view document, uint32_t 
   const uint32_t whole_end = has_end ? terminator.mark.span.end : content_end;
   reader.seek(whole_end);
   reader.take_directives();
+  reader.take_includes();
 
   const Span content = {begin.span.end - origin, content_end - origin};
   const BlockExtent extent = {.whole = {origin, whole_end},
@@ -292,7 +348,8 @@ DocumentPart scan_block(MarkReader& reader, std::string_view document, uint32_t 
           .size = whole_end - origin,
           .reach = terminator.mark.span.end - origin,
           .block = extent,
-          .directives = {}};
+          .directives = {},
+          .includes = {}};
 }
 
 }  // namespace
@@ -325,9 +382,15 @@ struct BlockScanner::Impl {
   }
 
   DocumentPart prose(uint32_t end, uint32_t decided_at) {
-    DocumentPart part{.begin = at, .size = end - at, .reach = decided_at - at, .block = {}, .directives = {}};
+    DocumentPart part{
+        .begin = at, .size = end - at, .reach = decided_at - at, .block = {}, .directives = {}, .includes = {}};
     for (Span directive : reader.take_directives()) {
       if (directive.begin < end) part.directives.push_back({directive.begin - at, directive.end - at});
+    }
+    for (IncludeCommand include : reader.take_includes()) {
+      if (include.folder.empty()) include.folder = {at, at};
+      for (Span* span : {&include.span, &include.folder, &include.path}) *span = {span->begin - at, span->end - at};
+      part.includes.push_back(include);
     }
     return part;
   }
@@ -338,6 +401,7 @@ struct BlockScanner::Impl {
             .reach = mark.span.end - at,
             .block = {},
             .directives = {},
+            .includes = {},
             .is_epilogue = true};
   }
 };

@@ -31,6 +31,21 @@ struct BlockExtent {
   BlockEnd ended_by = BlockEnd::Closed;
 };
 
+/// A command of prose that reads another file: `\input{path}`, `\import{folder/}{path}`.
+struct IncludeCommand {
+  /// Which folders the path is looked for in.
+  enum class Kind : uint8_t {
+    Input,     ///< that of the root, then that of the file
+    Subfile,   ///< that of the file, then that of the root
+    Import,    ///< `folder` in that of the root
+    SubImport  ///< `folder` in that of the file
+  };
+  Kind kind = Kind::Input;
+  Span span;    ///< of the command with its groups, relative to the part
+  Span folder;  ///< relative; empty where the command has none
+  Span path;    ///< relative
+};
+
 /// A part of a document: one math block, or prose. Parts follow each other without gaps; each begins where nothing is
 /// open, so what a part is depends on nothing before it.
 struct DocumentPart {
@@ -42,6 +57,7 @@ struct DocumentPart {
   std::optional<BlockExtent> block;
   std::vector<Span>
       directives;  ///< of prose: its comments `% texbrdf: …`, relative; those above a block are in the block
+  std::vector<IncludeCommand> includes;  ///< of prose
   /// After \end{document}: whatever follows belongs to it.
   bool is_epilogue = false;
 };

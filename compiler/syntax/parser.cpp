@@ -15,7 +15,7 @@ Parser::Parser(ParsedBlock& block, bool silent)
       tokens_(block.tokens.data()),
       end_(static_cast<uint32_t>(block.tokens.size()) - 1),
       silent_(silent) {
-  block_.tree.reserve(end_ + 2);
+  block_.tree.reserve(end_ / 2 + 2);  // most equations have fewer nodes than that
 }
 
 void Parser::run() {

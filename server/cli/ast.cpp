@@ -80,7 +80,7 @@ ExitCode ast(const AstOptions& options) {
   NamedDocument& named = std::get<NamedDocument>(read);
   const Snapshot& snapshot = named.document.snapshot();
   const std::vector<Diagnostic> diagnostics = diagnostics_without_root(snapshot);
-  report_errors_and_warnings(snapshot, diagnostics, named.file_name);
+  report_errors_and_warnings(snapshot, diagnostics, named.file_names);
   if (const auto failure =
           write_output(options.output, options.format == Format::Svg ? tree_svg(snapshot) : tree_json(snapshot))) {
     print_message(failure->message);

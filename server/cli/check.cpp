@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <deque>
 #include <memory>
+#include <span>
 
 #include "cli/files.h"
 #include "cli/json_output.h"
@@ -26,7 +27,7 @@ struct CheckOptions {
 
 std::string text_report(std::span<const CheckedFile> files, bool colour) {
   std::string report;
-  for (const CheckedFile& file : files) report += terminal_text(*file.snapshot, file.diagnostics, file.name, colour);
+  for (const CheckedFile& file : files) report += terminal_text(*file.snapshot, file.diagnostics, file.names, colour);
   return report;
 }
 
@@ -42,21 +43,36 @@ std::string formatted(std::span<const CheckedFile> files, const CheckOptions& op
   return {};
 }
 
+/// Another of the documents includes it: it is checked there. Of those that include each other the first counts.
+bool is_included(const std::deque<NamedDocument>& documents, std::size_t index) {
+  const auto includes = [&](std::size_t a, std::size_t b) {
+    const auto included = std::span(documents[a].paths).subspan(1);
+    return std::ranges::find(included, documents[b].paths.front()) != included.end();
+  };
+  for (std::size_t i = 0; i < documents.size(); ++i) {
+    if (i != index && includes(i, index) && (i < index || !includes(index, i))) return true;
+  }
+  return false;
+}
+
 ExitCode check(const CheckOptions& options) {
   const std::optional<std::string> root = root_option(options.root);
   if (!root) return ExitCode::BadUsage;
   ExitCode exit_code = ExitCode::Fine;
   std::deque<NamedDocument> documents;  // snapshots must stay where they are
-  std::vector<CheckedFile> files;
   for (const std::string& path : options.files) {
     auto read = read_document(path);
     if (std::holds_alternative<ExitCode>(read)) {
       exit_code = ExitCode::BadUsage;
-      continue;
+    } else {
+      documents.emplace_back(std::get<NamedDocument>(std::move(read)));
     }
-    NamedDocument& named = documents.emplace_back(std::get<NamedDocument>(std::move(read)));
-    const Snapshot& snapshot = named.document.snapshot();
-    files.push_back({named.file_name, &snapshot, snapshot.diagnostics(*root)});
+  }
+  std::vector<CheckedFile> files;
+  for (std::size_t i = 0; i < documents.size(); ++i) {
+    if (is_included(documents, i)) continue;
+    const Snapshot& snapshot = documents[i].document.snapshot();
+    files.push_back({documents[i].file_names, &snapshot, snapshot.diagnostics(*root)});
     if (has_error(files.back().diagnostics)) exit_code = std::max(exit_code, ExitCode::DocumentHasErrors);
   }
   if (const auto failure = write_output(options.output, formatted(files, options))) {

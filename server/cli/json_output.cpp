@@ -21,40 +21,42 @@ class JsonLines {
   std::string text_ = "[";
 };
 
-void write_place(JsonWriter& json, const Snapshot& snapshot, uint32_t offset) {
-  const Position position = snapshot.text().position(offset, ColumnUnit::CodePoint);
+void write_place(JsonWriter& json, const SourceText& text, uint32_t offset) {
+  const Position position = text.position(offset, ColumnUnit::CodePoint);
   json.begin_object();
   json.member("line", position.line + 1);
   json.member("column", position.column + 1);
   json.end_object();
 }
 
-void write_range(JsonWriter& json, const Snapshot& snapshot, Span span) {
+void write_range(JsonWriter& json, const SourceText& text, Span span) {
   json.key("range");
   json.begin_object();
   json.key("start");
-  write_place(json, snapshot, span.begin);
+  write_place(json, text, span.begin);
   json.key("end");
-  write_place(json, snapshot, span.end);
+  write_place(json, text, span.end);
   json.end_object();
 }
 
 void write_related(JsonWriter& json, const CheckedFile& file, const RelatedPlace& related) {
+  const Place place = file.place(related.where);
   json.begin_object();
-  json.member("file", file.name);
+  json.member("file", place.file);
   json.member("message", related.message);
-  write_range(json, *file.snapshot, file.snapshot->absolute(related.where));
+  write_range(json, *place.text, place.span);
   json.end_object();
 }
 
-void write_fix(JsonWriter& json, const Snapshot& snapshot, const Fix& fix) {
+void write_fix(JsonWriter& json, const CheckedFile& file, const Fix& fix) {
   json.begin_object();
   json.member("title", fix.title);
   json.key("edits");
   json.begin_array();
   for (const Edit& edit : fix.edits) {
+    const Place place = file.place(edit.where);
     json.begin_object();
-    write_range(json, snapshot, snapshot.absolute(edit.where));
+    write_range(json, *place.text, place.span);
     json.member("replacement", edit.replacement);
     json.end_object();
   }
@@ -63,20 +65,21 @@ void write_fix(JsonWriter& json, const Snapshot& snapshot, const Fix& fix) {
 }
 
 JsonWriter diagnostic_json(const CheckedFile& file, const Diagnostic& diagnostic) {
+  const Place place = file.place(diagnostic.where);
   JsonWriter json;
   json.begin_object();
-  json.member("file", file.name);
+  json.member("file", place.file);
   json.member("code", code_name(diagnostic.code));
   json.member("severity", severity_name(diagnostic.severity));
   json.member("message", message(diagnostic));
-  write_range(json, *file.snapshot, file.snapshot->absolute(diagnostic.where));
+  write_range(json, *place.text, place.span);
   json.key("related");
   json.begin_array();
   for (const RelatedPlace& related : diagnostic.related) write_related(json, file, related);
   json.end_array();
   json.key("fixes");
   json.begin_array();
-  for (const Fix& fix : diagnostic.fixes) write_fix(json, *file.snapshot, fix);
+  for (const Fix& fix : diagnostic.fixes) write_fix(json, file, fix);
   json.end_array();
   json.end_object();
   return json;
@@ -104,7 +107,7 @@ struct TreeWriter {
   void write(NodeId id) const {
     json.begin_object();
     json.member("kind", node_kind_name(block.tree.node(id).kind));
-    write_range(json, snapshot, snapshot.absolute(definition.block, block.span(id)));
+    write_range(json, snapshot.text(), snapshot.absolute(definition.block, block.span(id)));
     json.member("text", node_text(block, id));
     json.member("type", type_symbol(definition.checked->types[id.value - first_node]));
     json.key("children");

@@ -16,11 +16,14 @@ void print_message(std::string_view text) {
   fmt::print(stderr, "texbrdf: {}\n", text);
 }
 
-std::string terminal_text(const Snapshot& snapshot, std::span<const Diagnostic> diagnostics, std::string_view file_name,
-                          bool colour) {
-  const auto find_place = [&](const Location& where) {
-    return Place{.file = file_name, .text = &snapshot.text(), .span = snapshot.absolute(where)};
-  };
+Place place_of(const Snapshot& snapshot, std::span<const std::string> names, const Location& where) {
+  const FilePlace place = snapshot.place(snapshot.absolute(where));
+  return {.file = names[place.file.value], .text = &snapshot.text(place.file), .span = place.span};
+}
+
+std::string terminal_text(const Snapshot& snapshot, std::span<const Diagnostic> diagnostics,
+                          std::span<const std::string> names, bool colour) {
+  const auto find_place = [&](const Location& where) { return place_of(snapshot, names, where); };
   std::string text;
   for (const Diagnostic& diagnostic : diagnostics) {
     text += render_terminal(diagnostic, find_place, {.colour = colour});
@@ -29,11 +32,11 @@ std::string terminal_text(const Snapshot& snapshot, std::span<const Diagnostic> 
 }
 
 void report_errors_and_warnings(const Snapshot& snapshot, std::span<const Diagnostic> diagnostics,
-                                std::string_view file_name) {
+                                std::span<const std::string> names) {
   std::vector<Diagnostic> shown;
   std::copy_if(diagnostics.begin(), diagnostics.end(), std::back_inserter(shown),
                [](const Diagnostic& d) { return d.severity <= Severity::Warning; });
-  fmt::print(stderr, "{}", terminal_text(snapshot, shown, file_name, wants_colour(STDERR_FILENO)));
+  fmt::print(stderr, "{}", terminal_text(snapshot, shown, names, wants_colour(STDERR_FILENO)));
 }
 
 bool has_error(std::span<const Diagnostic> diagnostics) {

@@ -4,15 +4,29 @@
 
 #include <charconv>
 #include <map>
+#include <span>
 
 #include "cli/files.h"
 #include "cli/messages.h"
+#include "lsp/follow_includes.h"
 #include "semantics/names.h"
 #include "syntax/block_scanner.h"
 #include "syntax/parsed_block.h"
 
 namespace texbrdf::cli {
 namespace {
+
+/// The command line reads whatever a document includes.
+class DiskFiles final : public lsp::FileSource {
+ public:
+  bool may_read(std::string_view) const override { return true; }
+  bool exists(const std::string& path) const override { return lsp::stamp_of(path).exists; }
+  std::optional<SourceText> text(const std::string& path) override {
+    const std::optional<std::string> bytes = lsp::read_file(path);
+    if (!bytes) return std::nullopt;
+    return SourceText(*bytes);
+  }
+};
 
 using Values = std::map<std::string, std::vector<double>>;
 
@@ -57,7 +71,18 @@ std::variant<NamedDocument, ExitCode> read_document(const std::string& path) {
     print_message(bytes.error());
     return ExitCode::BadUsage;
   }
-  return NamedDocument{input_name(path), Document(*std::move(bytes))};
+  NamedDocument named{{}, {}, Document(*std::move(bytes))};
+  const bool is_standard_input = path == "-";
+  const std::string folder = lsp::real_path(".");
+  named.paths = {is_standard_input ? folder + "/-" : lsp::real_path(path)};
+  DiskFiles disk;
+  lsp::follow_includes(named.document, named.paths, disk);
+  named.file_names = {input_name(path)};
+  for (const std::string& included : std::span(named.paths).subspan(1)) {
+    const bool is_here = lsp::is_below(included, folder) && !path.starts_with('/');
+    named.file_names.push_back(is_here ? included.substr(folder.size() + 1) : included);
+  }
+  return named;
 }
 
 void add_root_option(CLI::App& arguments, std::string& root) {
@@ -98,9 +123,9 @@ std::variant<Model, ExitCode> load_model(const ModelOptions& options) {
 
   const Snapshot& snapshot = named.document.snapshot();
   const std::vector<Diagnostic> diagnostics = snapshot.diagnostics(*root);
-  report_errors_and_warnings(snapshot, diagnostics, named.file_name);
+  report_errors_and_warnings(snapshot, diagnostics, named.file_names);
   if (const Result<ir::Program> plain = snapshot.program(*root); !plain) {
-    print_message(fmt::format("{}: {}", named.file_name, plain.error()));
+    print_message(fmt::format("{}: {}", named.file_names.front(), plain.error()));
     return ExitCode::DocumentHasErrors;
   }
   Result<ir::Program> program = snapshot.program(*root, ir::LinkOptions{.values = *values});

@@ -13,9 +13,10 @@
 
 namespace texbrdf::cli {
 
-/// A document as a command reads it.
+/// A document as a command reads it, with the files that it includes.
 struct NamedDocument {
-  std::string file_name;
+  std::vector<std::string> file_names;  ///< by FileId, as they are shown
+  std::vector<std::string> paths;       ///< by FileId, real
   Document document;
 };
 

@@ -32,7 +32,7 @@ ExitCode print(const PrintOptions& options) {
   NamedDocument& named = std::get<NamedDocument>(read);
   const Snapshot& snapshot = named.document.snapshot();
   const std::vector<Diagnostic> diagnostics = syntax_diagnostics(snapshot);
-  report_errors_and_warnings(snapshot, diagnostics, named.file_name);
+  report_errors_and_warnings(snapshot, diagnostics, named.file_names);
   std::string lines;
   for (const Block& block : snapshot.blocks()) {
     for (const DefinitionSyntax& definition : block.parsed->definitions) {

@@ -59,17 +59,16 @@ void write_tool(JsonWriter& json) {
   json.end_object();
 }
 
-void write_artifact(JsonWriter& json, const CheckedFile& file) {
+void write_artifact(JsonWriter& json, std::string_view file_name) {
   json.key("artifactLocation");
   json.begin_object();
-  json.member("uri", uri_of_path(file.name));
+  json.member("uri", uri_of_path(file_name));
   json.end_object();
 }
 
-void write_region(JsonWriter& json, std::string_view key, const Snapshot& snapshot, const Location& where) {
-  const Span span = snapshot.absolute(where);
-  const Position start = snapshot.text().position(span.begin, ColumnUnit::CodePoint);
-  const Position end = snapshot.text().position(span.end, ColumnUnit::CodePoint);
+void write_region(JsonWriter& json, std::string_view key, const Place& place) {
+  const Position start = place.text->position(place.span.begin, ColumnUnit::CodePoint);
+  const Position end = place.text->position(place.span.end, ColumnUnit::CodePoint);
   json.key(key);
   json.begin_object();
   json.member("startLine", start.line + 1);
@@ -82,8 +81,9 @@ void write_region(JsonWriter& json, std::string_view key, const Snapshot& snapsh
 void write_place(JsonWriter& json, const CheckedFile& file, const Location& where) {
   json.key("physicalLocation");
   json.begin_object();
-  write_artifact(json, file);
-  write_region(json, "region", *file.snapshot, where);
+  const Place place = file.place(where);
+  write_artifact(json, place.file);
+  write_region(json, "region", place);
   json.end_object();
 }
 
@@ -93,12 +93,12 @@ void write_fix(JsonWriter& json, const CheckedFile& file, const Fix& fix) {
   json.key("artifactChanges");
   json.begin_array();
   json.begin_object();
-  write_artifact(json, file);
+  write_artifact(json, file.place(fix.edits.front().where).file);
   json.key("replacements");
   json.begin_array();
   for (const Edit& edit : fix.edits) {
     json.begin_object();
-    write_region(json, "deletedRegion", *file.snapshot, edit.where);
+    write_region(json, "deletedRegion", file.place(edit.where));
     write_text(json, "insertedContent", edit.replacement);
     json.end_object();
   }

@@ -136,7 +136,7 @@ class Completer {
   /// Outward from the caret's block.
   void examine_near_definitions() {
     const DefinitionRange here = snapshot_.definitions_of(caret_.block);
-    const auto count = static_cast<uint32_t>(snapshot_.definitions().size());
+    const auto count = static_cast<uint32_t>(snapshot_.all_definitions().size());
     for (uint32_t distance = 0; distance < kFarthest; ++distance) {
       if (here.first.value > distance) examine_near(here.first.value - distance - 1);
       if (here.end.value + distance < count) examine_near(here.end.value + distance);

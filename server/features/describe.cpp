@@ -70,13 +70,13 @@ std::string describe_definition(const Snapshot& snapshot, DefinitionId id, Marku
 
   std::string facts;
   if (const auto value = snapshot.constant_value(id)) facts = fmt::format("value {} · ", value_text(*value));
-  facts += fmt::format("defined on line {}", line_number(snapshot, name_span(snapshot, id).begin));
+  facts += fmt::format("defined on {}", line_name(snapshot, name_span(snapshot, id).begin));
   page.paragraph(facts);
 
   const auto in_force = snapshot.find(definition.name);
   if (!definition.in_force && in_force) {
-    page.paragraph(fmt::format("the definition on line {} is in force",
-                               line_number(snapshot, name_span(snapshot, *in_force).begin)));
+    page.paragraph(
+        fmt::format("the definition on {} is in force", line_name(snapshot, name_span(snapshot, *in_force).begin)));
   }
   if (find_convention(name)) page.paragraph("hides the convention of the same name");
   return page.take();

@@ -3,8 +3,13 @@
 namespace texbrdf::features {
 
 ShownDiagnostic shown(const Snapshot& snapshot, const Diagnostic& diagnostic) {
-  ShownDiagnostic result{
-      snapshot.absolute(diagnostic.where), diagnostic.severity, code_name(diagnostic.code), message(diagnostic), {}};
+  ShownDiagnostic result{snapshot.absolute(diagnostic.where),
+                         diagnostic.severity,
+                         code_name(diagnostic.code),
+                         message(diagnostic),
+                         {},
+                         false};
+  result.is_unnecessary = diagnostic.code == Code::UnusedDefinition || diagnostic.code == Code::UnusedParameter;
   for (const RelatedPlace& place : diagnostic.related) {
     result.related.push_back({snapshot.absolute(place.where), place.message});
   }
@@ -13,7 +18,10 @@ ShownDiagnostic shown(const Snapshot& snapshot, const Diagnostic& diagnostic) {
 
 std::vector<ShownDiagnostic> diagnostics(const Snapshot& snapshot) {
   std::vector<ShownDiagnostic> all;
-  for (const Diagnostic& diagnostic : snapshot.diagnostics()) all.push_back(shown(snapshot, diagnostic));
+  if (!snapshot.is_ours()) return all;
+  for (const Diagnostic& diagnostic : snapshot.diagnostics()) {
+    if (snapshot.is_in_file(snapshot.absolute(diagnostic.where))) all.push_back(shown(snapshot, diagnostic));
+  }
   return all;
 }
 

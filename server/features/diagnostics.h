@@ -19,10 +19,12 @@ struct ShownDiagnostic {
   std::string code;
   std::string message;
   std::vector<RelatedText> related;
+  bool is_unnecessary = false;  ///< nothing would be lost without it: editors show it faded
 };
 
 ShownDiagnostic shown(const Snapshot& snapshot, const Diagnostic& diagnostic);
-/// All diagnostics of the document, in document order.
+/// All diagnostics of the file, in document order. None for a document that has nothing to do with BRDFs: another
+/// LaTeX server may serve it.
 std::vector<ShownDiagnostic> diagnostics(const Snapshot& snapshot);
 
 }  // namespace texbrdf::features

@@ -7,7 +7,7 @@ std::vector<Highlight> document_highlights(const Snapshot& snapshot, uint32_t of
   const auto occurrence = snapshot.occurrence_at(offset);
   if (!occurrence) return highlights;
   for (const Occurrence& found : snapshot.occurrences_of(*occurrence)) {
-    highlights.push_back({found.span, found.is_definition});
+    if (snapshot.is_in_file(found.span)) highlights.push_back({found.span, found.is_definition});
   }
   return highlights;
 }

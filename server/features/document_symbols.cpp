@@ -36,6 +36,15 @@ Symbol definition_symbol(const Snapshot& snapshot, const Definition& definition)
 
 }  // namespace
 
+std::vector<Symbol> block_symbols(const Snapshot& snapshot, BlockId block) {
+  const DefinitionRange definitions = snapshot.definitions_of(block);
+  std::vector<Symbol> symbols;
+  for (uint32_t id = definitions.first.value; id < definitions.end.value; ++id) {
+    symbols.push_back(definition_symbol(snapshot, snapshot.definition(DefinitionId{id})));
+  }
+  return symbols;
+}
+
 std::vector<Symbol> document_symbols(const Snapshot& snapshot) {
   std::vector<Symbol> symbols;
   symbols.reserve(snapshot.definitions().size());

@@ -25,5 +25,7 @@ struct Symbol {
 
 /// The definitions in document order, with their parameters.
 std::vector<Symbol> document_symbols(const Snapshot& snapshot);
+/// Those of one block.
+std::vector<Symbol> block_symbols(const Snapshot& snapshot, BlockId block);
 
 }  // namespace texbrdf::features

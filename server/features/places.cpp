@@ -23,8 +23,10 @@ Span name_span(const Snapshot& snapshot, DefinitionId id) {
   return node_span(snapshot, snapshot.definition(id).block, snapshot.syntax(id).name);
 }
 
-uint32_t line_number(const Snapshot& snapshot, uint32_t offset) {
-  return snapshot.text().position(offset, ColumnUnit::Utf8).line + 1;
+std::string line_name(const Snapshot& snapshot, uint32_t offset) {
+  const FilePlace place = snapshot.place({offset, offset});
+  const uint32_t line = snapshot.text(place.file).position(place.span.begin, ColumnUnit::Utf8).line + 1;
+  return "line " + std::to_string(line) + (place.file == snapshot.file() ? "" : " of another file");
 }
 
 }  // namespace texbrdf::features

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "analysis/snapshot.h"
 
@@ -13,7 +14,7 @@ Span definition_span(const Snapshot& snapshot, DefinitionId id);
 Span definition_span(const ParsedBlock& block, const DefinitionSyntax& definition);
 /// The defined name on the left side.
 Span name_span(const Snapshot& snapshot, DefinitionId id);
-/// Counted from 1, as people do.
-uint32_t line_number(const Snapshot& snapshot, uint32_t offset);
+/// "line 3", counted from 1 as people do, "line 3 of another file".
+std::string line_name(const Snapshot& snapshot, uint32_t offset);
 
 }  // namespace texbrdf::features

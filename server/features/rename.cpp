@@ -44,18 +44,18 @@ class Conflicts {
   std::string of_definition(std::span<const Occurrence> places) const {
     if (!new_id_.valid()) return {};
     if (const auto other = snapshot_.find(new_id_)) {
-      return fmt::format("`{}` is defined already, on line {}", new_.canonical, line(name_span(snapshot_, *other)));
+      return fmt::format("`{}` is defined already, on {}", new_.canonical, line(name_span(snapshot_, *other)));
     }
     for (const Occurrence& place : places) {
       if (place.is_definition || !has_parameter(place.inside)) continue;
-      return fmt::format("on line {} the parameter `{}` of `{}` would hide it", line(place.span), new_.canonical,
+      return fmt::format("on {} the parameter `{}` of `{}` would hide it", line(place.span), new_.canonical,
                          function_name(place.inside));
     }
     Occurrence undefined;
     undefined.name = new_id_;
     const std::vector<Occurrence> uses = snapshot_.occurrences_of(undefined);
     if (uses.empty()) return {};
-    return fmt::format("`{}` stands on line {}, and would then mean this", new_.canonical, line(uses.front().span));
+    return fmt::format("`{}` stands on {}, and would then mean this", new_.canonical, line(uses.front().span));
   }
 
   std::string of_parameter() const {
@@ -98,7 +98,7 @@ class Conflicts {
            definition.checked->parameters.end();
   }
   std::string function_name(DefinitionId id) const { return text_of(snapshot_, snapshot_.definition(id).name); }
-  uint32_t line(Span span) const { return line_number(snapshot_, span.begin); }
+  std::string line(Span span) const { return line_name(snapshot_, span.begin); }
 
   const Snapshot& snapshot_;
   const Occurrence& renamed_;
@@ -122,15 +122,29 @@ bool is_root_spelling(std::string_view canonical) {
   return canonical == "f" || canonical.starts_with("f_");
 }
 
-std::string applied(const Snapshot& snapshot, std::span<const TextEdit> edits) {
-  std::string text;
+std::string applied(const SourceText& text, std::span<const TextEdit> edits) {
+  std::string result;
   uint32_t end = 0;
   for (const TextEdit& edit : edits) {
-    text += snapshot.text().slice({end, edit.span.begin});
-    text += edit.text;
+    result += text.slice({end, edit.span.begin});
+    result += edit.text;
     end = edit.span.end;
   }
-  return text += snapshot.text().slice({end, snapshot.text().size()});
+  return result += text.slice({end, text.size()});
+}
+
+/// The project as it would be.
+Document edited(const Snapshot& snapshot, std::span<const TextEdit> edits) {
+  std::vector<std::vector<TextEdit>> by_file(snapshot.file_count());
+  for (const TextEdit& edit : edits) {
+    const FilePlace place = snapshot.place(edit.span);
+    by_file[place.file.value].push_back({place.span, edit.text});
+  }
+  Document document(applied(snapshot.text(FileId{0}), by_file.front()));
+  for (uint32_t file = 1; file < by_file.size(); ++file) {
+    document.insert_file({file}, SourceText(applied(snapshot.text(FileId{file}), by_file[file])));
+  }
+  return document;
 }
 
 /// Which definition is the BRDF depends on names and on what uses what. Told to a person where the new name would make
@@ -140,7 +154,7 @@ std::string root_conflict(const Snapshot& snapshot, std::string_view old_name, s
   const std::string root = snapshot.root_name();
   const bool is_root = old_name == root;
   if (!is_root && !is_root_spelling(old_name) && !is_root_spelling(new_name)) return {};
-  Document renamed(applied(snapshot, edits));
+  Document renamed = edited(snapshot, edits);
   if (renamed.snapshot().root_name() == (is_root ? new_name : root)) return {};
   if (is_root) return fmt::format("`{}` is the BRDF because of its name, `{}` would not be", old_name, new_name);
   return fmt::format("`{}` would no longer be the BRDF", root);

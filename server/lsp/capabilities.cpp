@@ -11,7 +11,7 @@ void write_provider_options(JsonWriter& out, Feature feature, const InitializePa
   switch (feature) {
     case Feature::Diagnostics:
       out.member("identifier", "texbrdf");
-      out.member("interFileDependencies", false);
+      out.member("interFileDependencies", true);
       out.member("workspaceDiagnostics", false);
       break;
     case Feature::References:

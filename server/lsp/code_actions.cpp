@@ -50,10 +50,10 @@ Session::Outcome Session::code_action(const CodeActionParams& params, JsonWriter
   const uint32_t end = snapshot.text().offset(params.range.end, unit_);
   result.begin_array();
   if (client_.code_action_literals && are_wanted(params.only)) {
-    Positions positions(snapshot.text(), unit_);
+    Positions places = positions(*open);
     for (features::CodeAction& action :
          features::code_actions(snapshot, {std::min(begin, end), std::max(begin, end)})) {
-      write_code_action(result, positions, *open, action);
+      write_code_action(result, places, *open, action);
     }
   }
   result.end_array();
@@ -72,7 +72,8 @@ void Session::write_code_action(JsonWriter& out, Positions& positions, const Ope
   }
   if (action.is_preferred && client_.preferred_actions) out.member("isPreferred", true);
   out.key("edit");
-  write_workspace_edit(out, positions, open, action.edits, client_.versioned_edits);
+  const FileEdits edits{open.uri, open.version, std::move(action.edits)};
+  write_workspace_edit(out, positions, std::span(&edits, 1), client_.versioned_edits);
   out.end_object();
 }
 

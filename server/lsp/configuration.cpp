@@ -33,6 +33,21 @@ bool is_outdated(Feature feature, const Settings& before, const Settings& now) {
   return feature == Feature::CodeLens && differs_in_lenses(before, now);
 }
 
+/// The protocol spells it so.
+void write_unregistration(JsonWriter& out, const char* method) {
+  out.begin_object();
+  out.key("unregisterations");
+  out.begin_array();
+  out.begin_object();
+  out.member("id", method);
+  out.member("method", method);
+  out.end_object();
+  out.end_array();
+  out.end_object();
+}
+
+}  // namespace
+
 void write_registration(JsonWriter& out, const char* method, const std::function<void(JsonWriter&)>& write_options) {
   out.begin_object();
   out.key("registrations");
@@ -48,21 +63,6 @@ void write_registration(JsonWriter& out, const char* method, const std::function
   out.end_array();
   out.end_object();
 }
-
-/// The protocol spells it so.
-void write_unregistration(JsonWriter& out, const char* method) {
-  out.begin_object();
-  out.key("unregisterations");
-  out.begin_array();
-  out.begin_object();
-  out.member("id", method);
-  out.member("method", method);
-  out.end_object();
-  out.end_array();
-  out.end_object();
-}
-
-}  // namespace
 
 std::string read_params(nlohmann::json& params, DidChangeConfigurationParams& out) {
   ParamsReader reader;

@@ -1,12 +1,18 @@
 #include "features/document_symbols.h"
 
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
 #include "lsp/session.h"
 #include "lsp/text_walk.h"
 
 namespace texbrdf::lsp {
 namespace {
 
-constexpr std::size_t kUsualSymbolBytes = 280;
+constexpr std::size_t kUsualSymbolBytes = 4096;
 
 int symbol_kind_number(features::SymbolKind kind) {
   constexpr int kFunction = 12;
@@ -38,20 +44,18 @@ void write_parameter(JsonWriter& out, const features::Symbol& parameter, Range r
   out.end_object();
 }
 
-/// Writes DocumentSymbols. Each block's text is gone through once: asking the document for every position would cost
-/// more than all the rest.
-class SymbolWriter {
+/// Writes the DocumentSymbols of one block, whose text is gone through once.
+class BlockWriter {
  public:
-  SymbolWriter(JsonWriter& out, const Snapshot& snapshot, ColumnUnit unit)
-      : out_(out), snapshot_(snapshot), unit_(unit), walk_({}, unit) {}
+  BlockWriter(JsonWriter& out, const ParsedBlock& block, ColumnUnit unit, Position begin)
+      : out_(out), walk_(block.text, unit, begin) {}
 
   void write(const features::Symbol& symbol) {
-    if (symbol.block != block_) enter(symbol.block);
     Range whole;
     whole.start = walk_.at(symbol.whole.begin);
     const Range selection = range_of(walk_, symbol.selection);
-    parameters_.clear();
-    for (const features::Symbol& child : symbol.children) parameters_.push_back(range_of(walk_, child.whole));
+    std::vector<Range> parameters;
+    for (const features::Symbol& child : symbol.children) parameters.push_back(range_of(walk_, child.whole));
     whole.end = walk_.at(symbol.whole.end);
 
     out_.begin_object();
@@ -60,29 +64,76 @@ class SymbolWriter {
     out_.member("kind", symbol_kind_number(symbol.kind));
     write_range(out_, "range", whole);
     write_range(out_, "selectionRange", selection);
-    if (!symbol.children.empty()) write_parameters(symbol);
+    if (!symbol.children.empty()) write_parameters(symbol, parameters);
     out_.end_object();
   }
 
  private:
-  void enter(BlockId block) {
-    block_ = block;
-    const Position begin = snapshot_.text().position(snapshot_.absolute(block, {}).begin, unit_);
-    walk_ = TextWalk(snapshot_.parsed(block).text, unit_, begin);
-  }
-  void write_parameters(const features::Symbol& symbol) {
+  void write_parameters(const features::Symbol& symbol, const std::vector<Range>& ranges) {
     out_.key("children");
     out_.begin_array();
-    for (std::size_t i = 0; i < parameters_.size(); ++i) write_parameter(out_, symbol.children[i], parameters_[i]);
+    for (std::size_t i = 0; i < ranges.size(); ++i) write_parameter(out_, symbol.children[i], ranges[i]);
     out_.end_array();
   }
 
   JsonWriter& out_;
+  TextWalk walk_;
+};
+
+std::string block_json(const Snapshot& snapshot, BlockId id, ColumnUnit unit, Position begin) {
+  JsonWriter out;
+  BlockWriter writer(out, snapshot.parsed(id), unit, begin);
+  for (const features::Symbol& symbol : features::block_symbols(snapshot, id)) writer.write(symbol);
+  return out.take();
+}
+
+/// Writes all symbols; what was written before of blocks that are as they were, and where they were, is taken over.
+class SymbolWriter {
+ public:
+  SymbolWriter(const Snapshot& snapshot, ColumnUnit unit, SymbolCache& cache)
+      : snapshot_(snapshot), unit_(unit), cache_(cache) {}
+
+  void run() {
+    now_.json.reserve(cache_.json.size() + kUsualSymbolBytes);
+    now_.runs.reserve(snapshot_.blocks().size());
+    uint32_t index = 0;
+    for (const Block& block : snapshot_.blocks()) write(BlockId{index++}, block);
+    now_.snapshot = snapshot_;
+    cache_ = std::move(now_);
+  }
+
+ private:
+  void write(BlockId id, const Block& block) {
+    const Position begin = snapshot_.text().position(block.offset, unit_);
+    const auto offset = static_cast<uint32_t>(now_.json.size());
+    const SymbolCache::Run* const before = find_run(block.identity, begin);
+    if (before != nullptr) {
+      now_.json.append(cache_.json, before->offset, before->size);
+    } else {
+      now_.json += block_json(snapshot_, id, unit_, begin);
+    }
+    const auto size = static_cast<uint32_t>(now_.json.size()) - offset;
+    now_.runs.push_back({block.identity, begin, offset, size});
+    if (size > 0) now_.json += ',';
+  }
+
+  // Blocks keep their order: the next one is found at once or soon.
+  const SymbolCache::Run* find_run(const void* block, Position begin) {
+    constexpr std::size_t kFar = 8;
+    for (std::size_t i = next_; i < std::min(next_ + kFar, cache_.runs.size()); ++i) {
+      if (cache_.runs[i].block != block) continue;
+      next_ = i + 1;
+      return cache_.runs[i].begin == begin ? &cache_.runs[i] : nullptr;
+    }
+    ++next_;
+    return nullptr;
+  }
+
   const Snapshot& snapshot_;
   ColumnUnit unit_;
-  BlockId block_{UINT32_MAX};
-  TextWalk walk_;  // of the block
-  std::vector<Range> parameters_;
+  SymbolCache& cache_;  // of the answer before
+  std::size_t next_ = 0;
+  SymbolCache now_;
 };
 
 /// A SymbolInformation, for clients that know no hierarchy.
@@ -114,14 +165,14 @@ Session::Outcome Session::document_symbol(const DocumentParams& params, JsonWrit
   OpenDocument* open = documents_.find(params.uri);
   if (open == nullptr) return not_open(params.uri);
   const Snapshot& snapshot = open->document.snapshot();
-  const std::vector<features::Symbol> symbols = features::document_symbols(snapshot);
-  result.reserve(symbols.size() * kUsualSymbolBytes);
   result.begin_array();
   if (client_.hierarchical_symbols) {
-    SymbolWriter writer(result, snapshot, unit_);
-    for (const features::Symbol& symbol : symbols) writer.write(symbol);
+    SymbolWriter(snapshot, unit_, open->symbols).run();
+    const std::string_view symbols = open->symbols.json;
+    result.reserve(symbols.size());
+    if (!symbols.empty()) result.raw(symbols.substr(0, symbols.size() - 1));  // without the last comma
   } else {
-    write_flat_symbols(result, snapshot, unit_, params.uri, symbols);
+    write_flat_symbols(result, snapshot, unit_, params.uri, features::document_symbols(snapshot));
   }
   result.end_array();
   return std::nullopt;

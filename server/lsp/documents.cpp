@@ -2,17 +2,22 @@
 
 #include <utility>
 
+#include "lsp/uri.h"
+
 namespace texbrdf::lsp {
 
 OpenDocument& Documents::open(std::string uri, std::string text, int64_t version) {
   close(uri);
-  OpenDocument document{uri, Document(std::move(text)), version};
+  const bool is_file = uri.starts_with("file:");
+  Buffer& buffer = projects_.open(is_file ? real_path(shown_path(uri)) : uri, SourceText(text));
+  OpenDocument document{uri, ProjectDocument(projects_, buffer), version};
   return documents_.emplace(std::move(uri), std::move(document)).first->second;
 }
 
 bool Documents::close(std::string_view uri) {
   const auto found = documents_.find(uri);
   if (found == documents_.end()) return false;
+  projects_.close(found->second.document.buffer());
   documents_.erase(found);
   return true;
 }
@@ -20,6 +25,13 @@ bool Documents::close(std::string_view uri) {
 OpenDocument* Documents::find(std::string_view uri) {
   const auto found = documents_.find(uri);
   return found == documents_.end() ? nullptr : &found->second;
+}
+
+OpenDocument* Documents::find_path(std::string_view path) {
+  for (auto& [uri, document] : documents_) {
+    if (document.document.buffer().path == path) return &document;
+  }
+  return nullptr;
 }
 
 OpenDocument* Documents::next_unpublished() {

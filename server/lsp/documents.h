@@ -7,21 +7,25 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/document.h"
 #include "features/name_index.h"
+#include "lsp/projects.h"
 #include "lsp/semantic_token_cache.h"
+#include "lsp/symbol_cache.h"
 
 namespace texbrdf::lsp {
 
 struct OpenDocument {
   std::string uri;
-  Document document;
+  ProjectDocument document;
   std::optional<int64_t> version;
-  bool published = false;   ///< the client has the diagnostics of this version
-  uint64_t pulled_id = 0;   ///< of the last result that the client pulled; 0: none
-  std::string pulled = {};  ///< that result's diagnostics as JSON
+  bool published = false;    ///< the client has the diagnostics of this version
+  uint64_t shown_state = 0;  ///< of its project when they were published
+  std::string items = {};    ///< what was published, of a project with several files
+  uint64_t pulled_id = 0;    ///< of the last result that the client pulled; 0: none
+  std::string pulled = {};   ///< that result's diagnostics as JSON
 
   SemanticTokenCache semantic_tokens = {};
+  SymbolCache symbols = {};
   features::NameIndex name_index = {};
 };
 
@@ -31,14 +35,22 @@ class Documents {
   OpenDocument& open(std::string uri, std::string text, int64_t version);
   /// False where it was not open.
   bool close(std::string_view uri);
+  void clear() {
+    while (!documents_.empty()) close(documents_.begin()->first);
+  }
   /// nullptr where it is not open.
   OpenDocument* find(std::string_view uri);
 
   std::map<std::string, OpenDocument, std::less<>>& all() { return documents_; }
   /// A document whose diagnostics the client lacks; nullptr where it has all.
   OpenDocument* next_unpublished();
+  /// nullptr where none is the file.
+  OpenDocument* find_path(std::string_view path);
+
+  Projects& projects() { return projects_; }
 
  private:
+  Projects projects_;
   std::map<std::string, OpenDocument, std::less<>> documents_;
 };
 

@@ -66,6 +66,7 @@ Session::Outcome Session::initialize(const InitializeParams& params, JsonWriter&
   settings_ = params.settings;
   log_.set_level(chosen_log_level());
   for (const std::string& folder : params.folders) folders_.add(folder);
+  documents_.projects().set_folders(folder_paths());
   greet_client();
   result.begin_object();
   result.key("capabilities");
@@ -108,6 +109,7 @@ void Session::write_capabilities(JsonWriter& out) const {
 
 std::string Session::initialized(const NoParams&) {
   watch_configuration();
+  watch_files();
   if (client_.configuration) ask_for_configuration();
   return {};
 }
@@ -115,7 +117,7 @@ std::string Session::initialized(const NoParams&) {
 Session::Outcome Session::shutdown(const NoParams&, JsonWriter& result) {
   phase_ = Phase::ShutDown;
   shut_down_ = true;
-  documents_ = {};
+  documents_.clear();
   closed_.clear();
   outbox_.forget_requests();
   result.null();

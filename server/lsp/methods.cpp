@@ -9,6 +9,7 @@ void Session::bind_methods(Dispatcher& bind) {
   bind.notification("exit", *this, &Session::exit);
 
   bind.notification("workspace/didChangeConfiguration", *this, &Session::did_change_configuration);
+  bind.notification("workspace/didChangeWatchedFiles", *this, &Session::did_change_watched_files);
   bind.notification("workspace/didChangeWorkspaceFolders", *this, &Session::did_change_workspace_folders);
 
   bind.notification("textDocument/didOpen", *this, &Session::did_open);

@@ -30,6 +30,8 @@ struct InitializeParams {
   bool definition_links = false;
   bool hierarchical_symbols = false;
   bool related_information = false;
+  bool diagnostic_tags = false;
+  bool file_watchers = false;  ///< the client can be asked to watch files
   bool code_description = false;
   bool folds_lines_only = false;
   bool snippets = false;                        ///< completions may have places to fill in

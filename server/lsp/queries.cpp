@@ -30,15 +30,15 @@ Session::Outcome Session::definition(const PositionParams& params, JsonWriter& r
   if (open == nullptr) return not_open(params.uri);
   const Snapshot& snapshot = open->document.snapshot();
   const auto link = features::definition_at(snapshot, snapshot.text().offset(params.position, unit_));
-  Positions positions(snapshot.text(), unit_);
+  Positions places = positions(*open);
   if (!link) {
     result.null();
   } else if (client_.definition_links) {
     result.begin_array();
-    write_definition_link(result, positions, params.uri, *link);
+    write_definition_link(result, places, params.uri, *link);
     result.end_array();
   } else {
-    write_location(result, positions, params.uri, link->name);
+    write_location(result, places, params.uri, link->name);
   }
   return std::nullopt;
 }
@@ -48,10 +48,10 @@ Session::Outcome Session::references(const ReferenceParams& params, JsonWriter& 
   if (open == nullptr) return not_open(params.uri);
   const Snapshot& snapshot = open->document.snapshot();
   const uint32_t offset = snapshot.text().offset(params.position, unit_);
-  Positions positions(snapshot.text(), unit_);
+  Positions places = positions(*open);
   result.begin_array();
   for (const Span span : features::references(snapshot, offset, params.include_declaration)) {
-    write_location(result, positions, params.uri, span);
+    write_location(result, places, params.uri, span);
   }
   result.end_array();
   return std::nullopt;

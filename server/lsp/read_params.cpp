@@ -79,6 +79,9 @@ std::string read_params(json& params, InitializeParams& out) {
   out.hierarchical_symbols =
       Reader::flag(Reader::optional(documents, "documentSymbol"), "hierarchicalDocumentSymbolSupport");
   out.related_information = Reader::flag(published, "relatedInformation");
+  out.diagnostic_tags = Reader::optional(published, "tagSupport") != nullptr;
+  out.file_watchers = Reader::flag(
+      Reader::optional(Reader::optional(capabilities, "workspace"), "didChangeWatchedFiles"), "dynamicRegistration");
   read_typing_features(documents, out);
   out.folds_lines_only = Reader::flag(Reader::optional(documents, "foldingRange"), "lineFoldingOnly");
   json* extensions = Reader::optional(Reader::optional(capabilities, "experimental"), "texbrdf");

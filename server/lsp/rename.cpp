@@ -29,8 +29,8 @@ Session::Outcome Session::rename(const RenameParams& params, JsonWriter& result)
   const Snapshot& snapshot = open->document.snapshot();
   const auto edits = features::rename(snapshot, snapshot.text().offset(params.position, unit_), params.new_name);
   if (!edits) return ResponseError{ErrorCode::RequestFailed, edits.error()};
-  Positions positions(snapshot.text(), unit_);
-  write_workspace_edit(result, positions, *open, *edits, client_.versioned_edits);
+  Positions places = positions(*open);
+  write_workspace_edit(result, places, by_file(*open, *edits), client_.versioned_edits);
   return std::nullopt;
 }
 

@@ -59,6 +59,7 @@ class Server {
 int Server::run() {
   while (session_.phase() != Session::Phase::Exited) {
     const bool idle = queue_.empty() && !session_.has_publications();
+    if (idle) session_.prepare_for_edits();
     const Channel::Status status = queue_.receive(idle ? kProcessCheckMs : 0);
     if (!session_.has_publications()) messages_since_publication_ = 0;
     if (session_.has_publications() &&

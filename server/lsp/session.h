@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,6 +27,7 @@
 #include "lsp/semantic_tokens.h"
 #include "lsp/settings.h"
 #include "lsp/workspace_folders.h"
+#include "lsp/write_edits.h"
 #include "lsp/write_results.h"
 
 namespace texbrdf::lsp {
@@ -69,8 +71,14 @@ class Session {
 
   /// The parameters of the next `publishDiagnostics` to send. Precondition: has_publications().
   void write_next_publication(JsonWriter& out);
+  /// While there is nothing else to do.
+  void prepare_for_edits() {
+    for (auto& [uri, open] : documents_.all()) open.document.prepare_for_edits();
+  }
   bool has_publications() {
-    return !closed_.empty() || (pushes_diagnostics() && documents_.next_unpublished() != nullptr);
+    notice_projects();
+    return !closed_.empty() || !elsewhere_.empty() ||
+           (pushes_diagnostics() && documents_.next_unpublished() != nullptr);
   }
 
  private:
@@ -104,6 +112,18 @@ class Session {
 
   // workspace.cpp
   std::string did_change_workspace_folders(const WorkspaceFoldersParams& params);
+  std::string did_change_watched_files(const NoParams& params);
+  std::vector<std::string> folder_paths() const;
+  void watch_files();
+
+  // project_files.cpp
+  Positions positions(OpenDocument& open);
+  std::string uri_of(const OpenDocument& open, FileId file);
+  std::vector<FileEdits> by_file(OpenDocument& open, std::span<const features::TextEdit> edits);
+  void notice_projects();
+  void show_elsewhere(OpenDocument& open);
+  void forget_elsewhere();
+  std::string diagnostic_items(OpenDocument& open, FileId file);
 
   // shown_diagnostics.cpp
   Outcome diagnostic(const PullParams& params, JsonWriter& result);
@@ -167,9 +187,12 @@ class Session {
   Settings settings_;
   std::array<bool, kFeatureCount> registered_{};  ///< by Feature: announced later than in the answer to `initialize`
   WorkspaceFolders folders_;
-  uint64_t last_result_ = 0;        ///< id of the last pulled result
-  uint64_t last_progress_ = 0;      ///< token of the last progress that the server began
-  uint64_t last_token_result_ = 0;  ///< id of the last semantic tokens
+  uint64_t seen_state_ = 0;                             ///< of the projects
+  std::map<std::string, std::string> shown_elsewhere_;  ///< diagnostics of files that are not open, by path
+  std::vector<std::string> elsewhere_;                  ///< paths of those that are to be published
+  uint64_t last_result_ = 0;                            ///< id of the last pulled result
+  uint64_t last_progress_ = 0;                          ///< token of the last progress that the server began
+  uint64_t last_token_result_ = 0;                      ///< id of the last semantic tokens
   Outbox outbox_;
 };
 

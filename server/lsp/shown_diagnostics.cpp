@@ -5,6 +5,7 @@
 
 #include "lsp/capabilities.h"
 #include "lsp/session.h"
+#include "lsp/uri.h"
 #include "source/internal_error.h"
 
 namespace texbrdf::lsp {
@@ -26,7 +27,7 @@ Severity severity_of(HintSeverity chosen) {
 }  // namespace
 
 DiagnosticStyle Session::diagnostic_style() const {
-  return {client_.related_information, client_.code_description, docs_url_};
+  return {client_.related_information, client_.code_description, client_.diagnostic_tags, docs_url_};
 }
 
 std::vector<features::ShownDiagnostic> Session::shown_diagnostics(const Snapshot& snapshot) const {
@@ -53,12 +54,23 @@ void Session::write_next_publication(JsonWriter& out) {
     write_diagnostics(out, positions, uri, std::nullopt, {}, diagnostic_style());
     return;
   }
+  if (!elsewhere_.empty()) {
+    const std::string path = std::move(elsewhere_.back());
+    elsewhere_.pop_back();
+    out.begin_object();
+    out.member("uri", file_uri(path));
+    out.key("diagnostics");
+    out.raw(shown_elsewhere_[path]);
+    out.end_object();
+    return;
+  }
   OpenDocument* open = documents_.next_unpublished();
   require(open != nullptr, "nothing to publish");
   open->published = true;
   const Snapshot& snapshot = open->document.snapshot();
-  Positions positions(snapshot.text(), unit_);
-  write_diagnostics(out, positions, open->uri, open->version, shown_diagnostics(snapshot), diagnostic_style());
+  Positions places = positions(*open);
+  write_diagnostics(out, places, open->uri, open->version, shown_diagnostics(snapshot), diagnostic_style());
+  show_elsewhere(*open);
 }
 
 /// The client was told that it can ask for diagnostics: then it gets no others.
@@ -80,9 +92,9 @@ Session::Outcome Session::diagnostic(const PullParams& params, JsonWriter& resul
   OpenDocument* open = documents_.find(params.uri);
   if (open == nullptr) return not_open(params.uri);
   const Snapshot& snapshot = open->document.snapshot();
-  Positions positions(snapshot.text(), unit_);
+  Positions places = positions(*open);
   JsonWriter items;
-  write_diagnostic_items(items, positions, open->uri, shown_diagnostics(snapshot), diagnostic_style());
+  write_diagnostic_items(items, places, open->uri, shown_diagnostics(snapshot), diagnostic_style());
   if (open->pulled_id == 0 || open->pulled != items.text()) {
     open->pulled_id = ++last_result_;
     open->pulled = items.take();

@@ -9,4 +9,7 @@ namespace texbrdf::lsp {
 /// by their URIs as the client writes them, never by this.
 std::string shown_path(std::string_view uri);
 
+/// The `file:` URI of an absolute path.
+std::string file_uri(std::string_view path);
+
 }  // namespace texbrdf::lsp

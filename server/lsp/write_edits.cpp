@@ -16,36 +16,36 @@ void write_edits(JsonWriter& out, Positions& positions, std::span<const features
   out.end_array();
 }
 
-void write_versioned_edits(JsonWriter& out, Positions& positions, const OpenDocument& open,
-                           std::span<const features::TextEdit> edits) {
-  out.key("documentChanges");
-  out.begin_array();
+void write_versioned_edits(JsonWriter& out, Positions& positions, const FileEdits& file) {
   out.begin_object();
   out.key("textDocument");
   out.begin_object();
-  out.member("uri", open.uri);
+  out.member("uri", file.uri);
   out.key("version");
-  if (open.version) out.value(*open.version);
-  if (!open.version) out.null();
+  if (file.version) out.value(*file.version);
+  if (!file.version) out.null();
   out.end_object();
   out.key("edits");
-  write_edits(out, positions, edits);
+  write_edits(out, positions, file.edits);
   out.end_object();
-  out.end_array();
 }
 
 }  // namespace
 
-void write_workspace_edit(JsonWriter& out, Positions& positions, const OpenDocument& open,
-                          std::span<const features::TextEdit> edits, bool versioned) {
+void write_workspace_edit(JsonWriter& out, Positions& positions, std::span<const FileEdits> files, bool versioned) {
   out.begin_object();
   if (versioned) {
-    write_versioned_edits(out, positions, open, edits);
+    out.key("documentChanges");
+    out.begin_array();
+    for (const FileEdits& file : files) write_versioned_edits(out, positions, file);
+    out.end_array();
   } else {
     out.key("changes");
     out.begin_object();
-    out.text_key(open.uri);
-    write_edits(out, positions, edits);
+    for (const FileEdits& file : files) {
+      out.text_key(file.uri);
+      write_edits(out, positions, file.edits);
+    }
     out.end_object();
   }
   out.end_object();

@@ -36,6 +36,15 @@ void write_range(JsonWriter& out, std::string_view key, Range range) {
 
 namespace {
 
+/// Of the file that the span is in; `own` is that of the document.
+void write_uri(JsonWriter& out, std::string_view key, const Positions& positions, std::string_view own, Span span) {
+  if (positions.is_elsewhere(span)) {
+    out.member(key, positions.uri_elsewhere(span));
+  } else {
+    out.member(key, own);
+  }
+}
+
 int severity_number(Severity severity) {
   switch (severity) {
     case Severity::Error:
@@ -64,6 +73,14 @@ void write_related(JsonWriter& out, Positions& positions, std::string_view uri,
   out.end_array();
 }
 
+void write_unnecessary_tag(JsonWriter& out) {
+  constexpr int kUnnecessary = 1;
+  out.key("tags");
+  out.begin_array();
+  out.value(kUnnecessary);
+  out.end_array();
+}
+
 void write_diagnostic(JsonWriter& out, Positions& positions, std::string_view uri,
                       const features::ShownDiagnostic& diagnostic, const DiagnosticStyle& style) {
   out.begin_object();
@@ -78,6 +95,7 @@ void write_diagnostic(JsonWriter& out, Positions& positions, std::string_view ur
   }
   out.member("source", "texbrdf");
   out.member("message", diagnostic.message);
+  if (style.tags && diagnostic.is_unnecessary) write_unnecessary_tag(out);
   if (style.related_information && !diagnostic.related.empty()) write_related(out, positions, uri, diagnostic.related);
   out.end_object();
 }
@@ -99,7 +117,7 @@ void write_definition_link(JsonWriter& out, Positions& positions, std::string_vi
                            const features::DefinitionLink& link) {
   out.begin_object();
   write_range(out, "originSelectionRange", positions.range(link.origin));
-  out.member("targetUri", uri);
+  write_uri(out, "targetUri", positions, uri, link.name);
   write_range(out, "targetRange", positions.range(link.whole));
   write_range(out, "targetSelectionRange", positions.range(link.name));
   out.end_object();
@@ -107,7 +125,7 @@ void write_definition_link(JsonWriter& out, Positions& positions, std::string_vi
 
 void write_location(JsonWriter& out, Positions& positions, std::string_view uri, Span span) {
   out.begin_object();
-  out.member("uri", uri);
+  write_uri(out, "uri", positions, uri, span);
   write_range(out, "range", positions.range(span));
   out.end_object();
 }

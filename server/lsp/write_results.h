@@ -29,6 +29,7 @@ void write_location(JsonWriter& out, Positions& positions, std::string_view uri,
 struct DiagnosticStyle {
   bool related_information = false;
   bool code_description = false;
+  bool tags = false;
   std::string_view docs_url;  ///< of the page with an anchor for each code
 };
 

@@ -98,10 +98,10 @@ std::string sound_document(Random& random) {
 /// Edits as people make them, and as nobody should.
 class Editor {
  public:
-  Editor(std::string text, unsigned seed) : document_(text), text_(std::move(text)), random_(seed) {}
+  Editor(Document& document, FileId file, std::string text, unsigned seed)
+      : document_(document), file_(file), text_(std::move(text)), random_(seed) {}
 
   const std::string& text() const { return text_; }
-  Document& document() { return document_; }
 
   void step() {
     // More often than not the last edit is taken back: most states of a document that is written are sound.
@@ -129,7 +129,7 @@ class Editor {
   }
   void apply(size_t begin, size_t size, const std::string& by) {
     text_.replace(begin, size, by);
-    document_.replace({static_cast<uint32_t>(begin), static_cast<uint32_t>(begin + size)}, by);
+    document_.replace(file_, {static_cast<uint32_t>(begin), static_cast<uint32_t>(begin + size)}, by);
   }
   void undo() {
     const Inverse last = undo_.back();
@@ -190,6 +190,7 @@ class Editor {
                                                     "m",
                                                     "\\theta_h",
                                                     "\\input",
+                                                    "\\input{part}",
                                                     "\\end{document}",
                                                     "% texbrdf: root = a_{3}\n",
                                                     "\r\n",
@@ -221,7 +222,8 @@ class Editor {
     }
   }
 
-  Document document_;
+  Document& document_;
+  const FileId file_;
   std::string text_;
   Random random_;
   std::vector<Inverse> undo_;
@@ -242,12 +244,14 @@ TEST(Incremental, AfterAnyEditsADocumentIsWhatAFreshOneWouldBe) {
   int compared = 0;
   for (int round = 0; round < kRounds; ++round) {
     Random random(seed + static_cast<unsigned>(round));
-    Editor editor(sound_document(random), random());
+    const std::string text = sound_document(random);
+    Document document(text);
+    Editor editor(document, FileId{0}, text, random());
     for (int step = 0; step < kSteps; ++step) {
       editor.step();
       if (random() % 5 == 0) continue;  // two edits between snapshots
       Document fresh = Document(editor.text());
-      const Snapshot& snapshot = editor.document().snapshot();
+      const Snapshot& snapshot = document.snapshot();
       ASSERT_EQ(snapshot.text().bytes(), editor.text());
       ASSERT_EQ(everything_of(snapshot), everything_of(fresh.snapshot()))
           << "TEXBRDF_SEED=" << seed << ", round " << round << ", step " << step << "\n"
@@ -257,6 +261,65 @@ TEST(Incremental, AfterAnyEditsADocumentIsWhatAFreshOneWouldBe) {
     }
   }
   std::cout << compared << " states compared, " << sound << " of them sound and of 50 blocks or more\n";
+  EXPECT_GE(sound * 10, compared * 3);
+}
+
+/// Definitions that use those of `sound_document`.
+std::string sound_part(Random& random, const std::string& name) {
+  std::string text = "\\section{" + name + "}\n\\input{" + name + "-more}\n";
+  for (int i = 0; i < 12; ++i) {
+    const std::string term = "a_{" + std::to_string(random() % 55) + "}";
+    text += block(name + "_{" + std::to_string(i) + "} = g(" + term + ") + " + std::to_string(i));
+  }
+  return text;
+}
+
+Document project_of(const std::vector<Editor>& files) {
+  Document document(files.front().text());
+  for (uint32_t file = 1; file < files.size(); ++file) {
+    document.insert_file({file}, SourceText(files[file].text()));
+  }
+  return document;
+}
+
+TEST(Incremental, AfterAnyEditsAProjectIsWhatAFreshOneWouldBe) {
+  const unsigned seed = seed_of_this_run();
+  std::cout << "TEXBRDF_SEED=" << seed << '\n';
+  constexpr int kRounds = 3;
+  constexpr int kSteps = 120;
+  int sound = 0;
+  int compared = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    Random random(seed + static_cast<unsigned>(round));
+    const std::vector<std::string> texts = {sound_document(random), sound_part(random, "p"), sound_part(random, "q")};
+    Document document(texts.front());
+    std::vector<Editor> files;
+    for (uint32_t file = 0; file < texts.size(); ++file) {
+      if (file > 0) document.insert_file({file}, SourceText(texts[file]));
+      files.emplace_back(document, FileId{file}, texts[file], random());
+    }
+    for (int step = 0; step < kSteps; ++step) {
+      files[random() % 2].step();  // were all edited, few states would be sound
+      if (random() % 16 == 0) {    // a file goes, and comes back
+        const auto file = static_cast<uint32_t>(1 + random() % 2);
+        document.remove_file({file});
+        if (random() % 2 == 0) document.snapshot();
+        document.insert_file({file}, SourceText(files[file].text()));
+      }
+      if (random() % 5 == 0) continue;
+      Document fresh = project_of(files);
+      for (uint32_t seen = 0; seen < files.size(); ++seen) {
+        const Snapshot& snapshot = document.snapshot({seen});
+        ASSERT_EQ(snapshot.text().bytes(), files[seen].text());
+        ASSERT_EQ(document.includes({seen}), fresh.includes({seen}));
+        ASSERT_EQ(everything_of(snapshot), everything_of(fresh.snapshot({seen})))
+            << "TEXBRDF_SEED=" << seed << ", round " << round << ", step " << step << ", file " << seen;
+      }
+      ++compared;
+      if (!document.snapshot().has_errors()) ++sound;
+    }
+  }
+  std::cout << compared << " states compared, " << sound << " of them sound\n";
   EXPECT_GE(sound * 10, compared * 3);
 }
 

@@ -1,6 +1,6 @@
 """Random edits for as long as a person would write in years: soak.py PROGRAM [EDITS [SEED]]
 
-Edits a document over the protocol in bursts, asks about random places in between, and at each tenth compares what the server
+Edits a document over the protocol in bursts, asks about random places in between, and compares a hundred times what the server
 published with what it publishes for a new document of the same text. Fails when that differs, when an answer is an error, or
 when the process grows from the first tenth to the end.
 """
@@ -113,7 +113,7 @@ class Writer:
         self.random = random.Random(seed)
         self.names = 0
         self.undo = []
-        self.original = "\n".join(self.block(i) for i in range(BLOCKS)) + self.equation("f", "a_{0} * \\cos\\theta_h")
+        self.original = "% texbrdf: root = f\n" + "\n".join(self.block(i) for i in range(BLOCKS)) + self.equation("f", "a_{0} * \\cos\\theta_h")
         self.text = Text(self.original)
 
     @staticmethod
@@ -211,10 +211,12 @@ def main():
     print(f"{edits} edits, seed {seed}")
     soak = Soak(program, seed)
     memory = []
-    while len(memory) < 10:
-        while soak.version < edits * (len(memory) + 1) / 10:
+    for hundredth in range(1, 101):
+        while soak.version < edits * hundredth / 100:
             soak.burst(soak.writer.random.randint(1, 20))
         soak.compare_with_fresh()
+        if hundredth % 10 != 0:
+            continue
         memory.append(soak.server.memory())
         print(f"{soak.version} edits, {len(soak.writer.text.lines)} lines, {len(soak.server.diagnostics[URI][1])} diagnostics, "
               f"{memory[-1] / 1e6:.1f} MB", flush=True)
@@ -227,4 +229,5 @@ def main():
         sys.exit(f"grew from {memory[0] / 1e6:.1f} to {memory[-1] / 1e6:.1f} MB")
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -18,7 +21,7 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-constexpr std::string_view kFolder = "file:///work/";
+constexpr std::string_view kFolder = "file:///work";
 constexpr std::size_t kLineWidth = 110;
 
 std::vector<std::string> lines_of(std::string_view text) {
@@ -53,7 +56,7 @@ json read_range(std::string_view text) {
 }
 
 json document(const std::string& name) {
-  return {{"uri", std::string(kFolder) + name}};
+  return {{"uri", std::string(kFolder) + "/" + name}};
 }
 
 json expanded(const std::string& text) {
@@ -75,6 +78,8 @@ bool is_notification(std::string_view method) {
 /// Turns the lines of a transcript into bytes.
 class Client {
  public:
+  explicit Client(std::string folder) : folder_(std::move(folder)) {}
+
   /// Empty where the line says nothing to the server.
   std::string bytes_of(std::string_view line, const std::string& document_text) {
     const std::string verb = take_word(line);
@@ -88,6 +93,7 @@ class Client {
     if (verb == "change") return change(line);
     if (verb == "reply") return reply(line);
     if (verb == "raw") return json::parse(line).get<std::string>();
+    if (verb == "file" || verb == "remove" || verb == "link") return {};
     if (verb == "frame") return lsp::frame(json::parse(line).get<std::string>());
     throw std::runtime_error("a transcript does not know: " + verb);
   }
@@ -98,7 +104,14 @@ class Client {
     if (!is_notification(method)) body["id"] = next_id_++;
     body["method"] = method;
     if (!params.is_null()) body["params"] = std::move(params);
-    return lsp::frame(body.dump());
+    return lsp::frame(in_folder(body.dump()));
+  }
+
+  std::string in_folder(std::string text) const {
+    for (std::size_t at = 0; (at = text.find(kFolder, at)) != std::string::npos; at += folder_.size()) {
+      text.replace(at, kFolder.size(), folder_);
+    }
+    return text;
   }
 
   static std::string reply(std::string_view line) {
@@ -123,6 +136,7 @@ class Client {
     return message("textDocument/didChange", {{"textDocument", versioned}, {"contentChanges", json::array({changed})}});
   }
 
+  const std::string folder_;
   int next_id_ = 0;
   std::map<std::string, int> versions_;
 };
@@ -137,17 +151,25 @@ std::string position_text(const json& position) {
   return fmt::format("{}:{}", position["line"].get<uint64_t>() + 1, position["character"].get<uint64_t>() + 1);
 }
 
-json normalised(const json& value) {
+json normalised(const json& value, const std::string& folder) {
   if (value.is_string()) {
     const auto text = value.get<std::string>();
-    return text.starts_with(kFolder) ? text.substr(kFolder.size()) : text;
+    return text.starts_with(folder + "/") ? text.substr(folder.size() + 1) : text;
   }
   if (value.is_object() && value.size() == 2 && value.contains("start") && is_position(value["start"])) {
     return position_text(value["start"]) + "-" + position_text(value["end"]);
   }
-  json result = value;
-  if (!result.is_structured()) return result;
-  for (auto& element : result) element = normalised(element);
+  if (!value.is_structured()) return value;
+  json result = value.is_object() ? json::object() : json::array();
+  for (const auto& [key, element] : value.items()) {
+    if (value.is_array()) {
+      result.push_back(normalised(element, folder));
+    } else if (key.starts_with(folder)) {
+      result[std::string(kFolder) + key.substr(folder.size())] = normalised(element, folder);
+    } else {
+      result[key] = normalised(element, folder);
+    }
+  }
   return result;
 }
 
@@ -181,41 +203,85 @@ json abbreviated(const json& message) {
   return {{"id", message["id"]}, {"positionEncoding", message[encoding]}};
 }
 
-std::string shown(std::string_view body, bool abbreviate) {
+std::string shown(std::string_view body, bool abbreviate, const std::string& folder) {
   json message = json::parse(body);
   message.erase("jsonrpc");
   if (abbreviate) message = abbreviated(message);
   std::string text = "<- ";
-  print(text, normalised(message), 3);
+  print(text, normalised(message, folder), 3);
   return text + "\n";
 }
 
-std::string shown_all(const std::string& stream, bool abbreviate) {
+std::string shown_all(const std::string& stream, bool abbreviate, const std::string& folder) {
   lsp::FrameDecoder decoder;
   decoder.input() = stream;
   std::string result;
-  while (auto next = decoder.next()) result += shown(std::get<lsp::Frame>(*next).body, abbreviate);
+  while (auto next = decoder.next()) result += shown(std::get<lsp::Frame>(*next).body, abbreviate, folder);
   if (decoder.inside_message()) throw std::runtime_error("the server sent something that is no message");
   return result;
 }
 
 // --- the transcript ---
 
+/// A folder with the files of one transcript. It is made when the first file is.
+class Disk {
+ public:
+  Disk() = default;
+  Disk(const Disk&) = delete;
+  Disk& operator=(const Disk&) = delete;
+  ~Disk() {
+    if (!root_.empty()) std::filesystem::remove_all(root_);
+  }
+
+  void make() {
+    std::string name = (std::filesystem::temp_directory_path() / "texbrdf-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder for the files of a transcript");
+    root_ = std::filesystem::canonical(name);
+    std::filesystem::create_directory(folder());
+  }
+  std::filesystem::path folder() const { return root_ / "work"; }
+  std::string uri() const { return root_.empty() ? std::string(kFolder) : "file://" + folder().string(); }
+
+  /// One of the lines `file`, `remove` and `link`.
+  void obey(std::string_view line, const std::string& text) const {
+    const std::string verb = take_word(line);
+    const std::filesystem::path path = folder() / take_word(line);
+    std::filesystem::create_directories(path.parent_path());
+    if (verb == "remove") {
+      std::filesystem::remove(path);
+    } else if (verb == "link") {
+      std::filesystem::create_symlink(std::string(line), path);
+    } else {
+      std::ofstream(path, std::ios::binary) << text;
+    }
+  }
+
+ private:
+  std::filesystem::path root_;
+};
+
+bool is_about_disk(std::string_view line) {
+  const std::string verb = take_word(line);
+  return verb == "file" || verb == "remove" || verb == "link";
+}
+
 /// Lines of the transcript that belong together, and the bytes to send; the answers come behind them.
 struct Step {
   std::string lines;
   std::string bytes;
+  std::vector<std::pair<std::string, std::string>> disk;  ///< lines about files, and their texts, that come before
 };
 
 bool is_answer(const std::string& line) {
   return line.starts_with("<- ") || line.starts_with("   ") || line.starts_with("=> ");
 }
 
-std::vector<Step> steps_of(std::string_view transcript) {
+std::vector<Step> steps_of(std::string_view transcript, const std::string& folder) {
   std::vector<std::string> lines = lines_of(transcript);
   std::erase_if(lines, is_answer);
   std::vector<Step> steps;
-  Client client;
+  Client client(folder);
+  std::vector<std::pair<std::string, std::string>> disk;
   for (std::size_t i = 0; i < lines.size();) {
     const std::string& line = lines[i++];
     const bool comment = line.empty() || line.starts_with("#");
@@ -228,7 +294,10 @@ std::vector<Step> steps_of(std::string_view transcript) {
       step.lines += lines[i] + "\n";
       text += (text.empty() ? "" : "\n") + lines[i].substr(std::min<std::size_t>(2, lines[i].size()));
     }
-    if (!comment) step.bytes += client.bytes_of(line, text);
+    if (comment) continue;
+    if (is_about_disk(line)) disk.emplace_back(line, text);
+    step.bytes += client.bytes_of(line, text);
+    if (!step.bytes.empty()) step.disk = std::exchange(disk, {});
   }
   return steps;
 }
@@ -236,10 +305,15 @@ std::vector<Step> steps_of(std::string_view transcript) {
 }  // namespace
 
 std::string play(std::string_view transcript) {
-  const std::vector<Step> steps = steps_of(transcript);
+  Disk disk;
+  if (transcript.starts_with("file ") || transcript.find("\nfile ") != std::string_view::npos) disk.make();
+  const std::vector<Step> steps = steps_of(transcript, disk.uri());
   MemoryChannel channel;
   for (const Step& step : steps) {
-    if (!step.bytes.empty()) channel.add(step.bytes);
+    if (step.bytes.empty()) continue;
+    channel.add(step.bytes, [&] {
+      for (const auto& [line, text] : step.disk) disk.obey(line, text);
+    });
   }
   lsp::Log log(lsp::LogLevel::Error, [](std::string_view) {});
   const int status = lsp::run_server(channel, log, {.version = "0.0", .docs_url = "docs"});
@@ -249,7 +323,7 @@ std::string play(std::string_view transcript) {
   for (const Step& step : steps) {
     result += step.lines;
     if (step.bytes.empty() || answered == channel.replies().size()) continue;
-    result += shown_all(channel.replies()[answered++], step.lines.starts_with("client"));
+    result += shown_all(channel.replies()[answered++], step.lines.starts_with("client"), disk.uri());
   }
   return result + fmt::format("=> exit status {}\n", status);
 }

@@ -16,12 +16,14 @@ namespace texbrdf::test {
 ///     -> method {…}                    a request, or a notification where the protocol says so
 ///     +> method {…}                    the same, in one write with the message before; `+ open`, `+ change` too
 ///     reply 1 {…}                      the result of the server's request with the id 1
-///     raw "bytes"                      bytes as they are, a JSON string
-///     frame "body"                     a body with a correct header
+///     file a.tex                       a file on the disk, in a folder of the test's own, before what follows; with
+///     text remove a.tex                     it is gone link a.tex target                a symbolic link raw "bytes"
+///     bytes as they are, a JSON string frame "body"                     a body with a correct header
 ///     <- …                             what the server sent
 ///
-/// In `{…}`, `"doc": "a.tex"` stands for `textDocument`, and `"at": "2:3"` for `position`, counted from 1. In what the
-/// server sent, ranges are written `2:3-2:9`, URIs without their folder, and `jsonrpc` is left out.
+/// The folder is `file:///work`; what lies beside it is outside. In `{…}`, `"doc": "a.tex"` stands for `textDocument`,
+/// and `"at": "2:3"` for `position`, counted from 1. In what the server sent, ranges are written `2:3-2:9`, URIs
+/// without their folder, and `jsonrpc` is left out.
 std::string play(std::string_view transcript);
 
 }  // namespace texbrdf::test

@@ -116,7 +116,8 @@ TEST(Worker, KilledWhileIdleIsToldAndReplaced) {
   expect_picture(worker.draw(lambert(), {.size = 32}));
   const int first = worker.process_id();
   ASSERT_EQ(kill(first, SIGKILL), 0);
-  std::this_thread::sleep_for(50ms);
+  siginfo_t end{};
+  ASSERT_EQ(waitid(P_PID, static_cast<id_t>(first), &end, WEXITED | WNOWAIT), 0);
   expect_picture(worker.draw(lambert(), {.size = 32}));
   EXPECT_NE(worker.process_id(), first);
   const auto faults = worker.take_faults();

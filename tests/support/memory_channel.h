@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,14 +15,17 @@ namespace texbrdf::test {
 /// chunk is a wait in which nothing came; behind the last chunk the input is closed.
 class MemoryChannel final : public lsp::Channel {
  public:
-  void add(std::string chunk) { input_.push_back(std::move(chunk)); }
+  void add(std::string chunk) { input_.push_back({std::move(chunk), {}}); }
+  /// `before` is called when the chunk is taken.
+  void add(std::string chunk, std::function<void()> before) { input_.push_back({std::move(chunk), std::move(before)}); }
 
   Status read(std::string& buffer, int timeout_ms) override {
     if (timeout_ms == 0) return Status::Idle;
     replies_.emplace_back();
     if (input_.empty()) return Status::Closed;
-    const std::string chunk = std::move(input_.front());
+    const auto [chunk, before] = std::move(input_.front());
     input_.pop_front();
+    if (before) before();
     buffer += chunk;
     return chunk.empty() ? Status::Idle : Status::Data;
   }
@@ -32,7 +36,7 @@ class MemoryChannel final : public lsp::Channel {
   const std::vector<std::string>& replies() const { return replies_; }
 
  private:
-  std::deque<std::string> input_;
+  std::deque<std::pair<std::string, std::function<void()>>> input_;
   std::vector<std::string> replies_;
 };
 

@@ -18,29 +18,7 @@ open a.tex
 + change b.tex 2:7-2:8 "2"
 <- {"id":1,"result":[{"name":"f","kind":13,"location":{"uri":"a.tex","range":"2:3-2:9"}}]}
 <- {"id":2,"result":[{"name":"h","kind":13,"location":{"uri":"a.tex","range":"2:3-2:8"}}]}
-<- {
-     "method": "textDocument/publishDiagnostics",
-     "params": {
-       "uri": "a.tex",
-       "version": 4,
-       "diagnostics": [
-         {
-           "range": "2:3-2:4",
-           "severity": 1,
-           "code": "E3010",
-           "source": "texbrdf",
-           "message": "no equation defines `f`, the BRDF"
-         },
-         {
-           "range": "2:7-2:8",
-           "severity": 1,
-           "code": "E3001",
-           "source": "texbrdf",
-           "message": "undefined name `g` in the definition of `h`"
-         }
-       ]
-     }
-   }
+<- {"method":"textDocument/publishDiagnostics","params":{"uri":"a.tex","version":4,"diagnostics":[]}}
 <- {"method":"textDocument/publishDiagnostics","params":{"uri":"b.tex","version":2,"diagnostics":[]}}
 
 # Closed in the same burst: only the end is told.

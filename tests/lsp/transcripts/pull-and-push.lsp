@@ -51,7 +51,7 @@ open a.tex
            "registerOptions": {
              "documentSelector": null,
              "identifier": "texbrdf",
-             "interFileDependencies": false,
+             "interFileDependencies": true,
              "workspaceDiagnostics": false
            }
          }
