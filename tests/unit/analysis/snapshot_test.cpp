@@ -16,7 +16,7 @@ using test::equations;
 struct Cursor {
   explicit Cursor(std::string text) : offset(static_cast<uint32_t>(text.find('|'))), document(text.erase(offset, 1)) {}
   std::optional<Occurrence> occurrence() { return document.snapshot().occurrence_at(offset); }
-  std::string_view text(const Occurrence& o) { return document.text().slice(o.span); }
+  std::string text(const Occurrence& o) { return document.text().slice(o.span); }
   uint32_t offset;
   Document document;
 };
