@@ -46,6 +46,12 @@ class RootSearch {
     const CheckedDefinition* checked;
     std::span<const NameId> mentions;
 
+    // A value, or a function of two directions.
+    bool has_shape() const {
+      const Signature& signature = checked->signature;
+      if (!signature.is_function) return true;
+      return signature.parameters.size() == 2 && std::ranges::all_of(signature.parameters, is_triple);
+    }
     bool is_directional() const {
       return checked->directional || std::ranges::any_of(checked->signature.parameters, is_triple);
     }
@@ -72,6 +78,9 @@ class RootSearch {
 
   std::optional<NameId> best_candidate() const {
     std::vector<Candidate> all = candidates();
+    if (std::ranges::any_of(all, &Candidate::has_shape)) {
+      std::erase_if(all, [](const Candidate& candidate) { return !candidate.has_shape(); });
+    }
     if (std::ranges::any_of(all, &Candidate::is_directional)) {
       std::erase_if(all, [](const Candidate& candidate) { return !candidate.is_directional(); });
     }

@@ -36,6 +36,7 @@ INSTANTIATE_TEST_SUITE_P(
         {"the one that no other uses", equations({"f_d = \\theta_i", "f_s = \\theta_o", "f_r = f_d + f_s"}), "f_r"},
         {"not even from afar", equations({"f_s = \\theta_o", "f_a = \\theta_i", "g = f_s", "f_t = g + \\theta_i"}),
          "f_t"},
+        {"no function of two numbers", equations({"f = \\theta_h", "a = \\theta_i", "f_n(x, y) = a * x * y"}), "f"},
         {"of two equals f itself", equations({"f_r = \\theta_o", "f = \\theta_i"}), "f"},
         {"of two equals the first", equations({"f_x = \\theta_o", "f_a = \\theta_i"}), "f_x"},
         {"none", equations({"a = \\theta_h", "g(x) = x"}), "f", false},
