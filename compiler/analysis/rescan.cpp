@@ -91,7 +91,7 @@ class Rescanner {
     BlockScanner scanner(window_, is_whole);
     uint32_t at = begin_;
     while (std::optional<DocumentPart> part = scanner.next()) {
-      if (part->is_epilogue) part->size = text_.size() - at;
+      if (part->is_epilogue) part->size = part->reach = text_.size() - at;
       at += part->size;
       parts_.push_back(std::move(*part));
       if (agrees_at(at)) return true;

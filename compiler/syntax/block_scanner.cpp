@@ -411,11 +411,13 @@ BlockScanner::BlockScanner(std::string_view text, bool is_whole)
 BlockScanner::~BlockScanner() = default;
 
 std::optional<DocumentPart> BlockScanner::next() {
-  const std::optional<DocumentPart> part = impl_->read();
+  std::optional<DocumentPart> part = impl_->read();
   if (!part) return std::nullopt;
   const bool depends_on_what_follows = !impl_->is_whole && part->begin + part->reach >= impl_->text.size();
   if (depends_on_what_follows) return std::nullopt;
   impl_->at += part->size;
+  // An edit anywhere in the epilogue is one of it.
+  if (part->is_epilogue) part->reach = part->size;
   return part;
 }
 
