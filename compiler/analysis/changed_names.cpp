@@ -25,17 +25,16 @@ size_t definition_count(const AnalysedBlock* block) {
 
 class NameUpdate {
  public:
-  explicit NameUpdate(EngineState& state) : state_(state) {}
+  NameUpdate(EngineState& state, bool all_new) : state_(state), is_all_new_(all_new) {}
 
   ChangedNames run(const std::vector<BlockChange>& changes) {
-    is_all_new_ = is_all_new(changes);
     if (is_all_new_) reserve(changes.size());
     lists_changed_ = !state_.lists_users && !is_all_new_;
     if (lists_changed_) list_users(state_);
     for (const BlockChange& change : changes) {
       if (change.before == change.after && !lists_changed_) continue;
       update_definitions(change);
-      if (is_all_new_ && !state_.lists_users) {
+      if (is_all_new_) {
         for (NameId name : change.after->mentions) names_.is_mentioned[name.value] = true;
       } else {
         update_mentions(change);
@@ -49,11 +48,6 @@ class NameUpdate {
   }
 
  private:
-  bool is_all_new(const std::vector<BlockChange>& changes) const {
-    return changes.size() == state_.segments.measure().blocks &&
-           std::ranges::all_of(changes, [](const BlockChange& change) { return !change.before && change.after; });
-  }
-
   void reserve(size_t blocks) {
     single_keys_ = Sequence<DefinitionKey>::Pool(blocks);
     names_.is_mentioned.resize(state_.names->size());
@@ -116,7 +110,7 @@ class NameUpdate {
   }
 
   EngineState& state_;
-  bool is_all_new_ = false;
+  const bool is_all_new_;
   bool lists_changed_ = false;  // the changed blocks are in no list yet
   Sequence<DefinitionKey>::Pool single_keys_{1};
   ChangedNames names_;
@@ -139,10 +133,10 @@ void list_users(EngineState& state) {
   state.lists_users = true;
 }
 
-ChangedNames update_names(EngineState& state, const std::vector<BlockChange>& changes) {
+ChangedNames update_names(EngineState& state, const std::vector<BlockChange>& changes, bool all_new) {
   state.occurrences.resize(state.names->size());
   state.name_states.resize(state.names->size());
-  return NameUpdate(state).run(changes);
+  return NameUpdate(state, all_new).run(changes);
 }
 
 }  // namespace texbrdf

@@ -17,8 +17,8 @@ struct ChangedNames {
 };
 
 /// Brings the occurrences of names up to date. The users of names are listed with the first change of a document that
-/// was checked before, not when all of it is new.
-ChangedNames update_names(EngineState& state, const std::vector<BlockChange>& changes);
+/// was checked before, not when all of it is new (`all_new`).
+ChangedNames update_names(EngineState& state, const std::vector<BlockChange>& changes, bool all_new);
 
 /// Lists for every name the blocks that mention it; those that are not read yet are left out.
 void list_users(EngineState& state);

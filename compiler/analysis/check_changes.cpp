@@ -43,7 +43,7 @@ class CheckChanges {
   // Definitions on which no other depends: later ones of a name, and those in knots.
   void check_rest() {
     for (const WorkingBlock& block : blocks_.all()) note_unchecked(block);
-    for (const DefinitionKey& key : unneeded_) check(key);
+    for (const DefinitionKey& key : rest_) check(key);
   }
 
   struct Waiting {
@@ -116,7 +116,7 @@ class CheckChanges {
 
   void note_unchecked(const WorkingBlock& block) {
     for (uint32_t i = 0; i < block.definitions.size(); ++i) {
-      if (!block.definitions[i].record) unneeded_.push_back({block.label, i});
+      if (!block.definitions[i].record) rest_.push_back({block.label, i});
     }
   }
 
@@ -125,7 +125,7 @@ class CheckChanges {
   Counters& counters_;
   std::priority_queue<Waiting> queue_;
   std::vector<bool> is_queued_;  // by NameId
-  std::vector<DefinitionKey> unneeded_;
+  std::vector<DefinitionKey> rest_;
   SharedPool<DefinitionRecord> records_;
 };
 

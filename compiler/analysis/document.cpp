@@ -8,6 +8,7 @@
 #include "analysis/snapshot_state.h"
 #include "analysis/update.h"
 #include "source/internal_error.h"
+#include "source/text_change.h"
 
 namespace texbrdf {
 namespace {
@@ -22,7 +23,7 @@ constexpr size_t kFewNames = 10'000;
 struct Document::State {
   EngineState engine;
   TouchedBlocks touched;  // since the last snapshot
-  NameIndex name_index;
+  OccurrencesByName occurrences;
   std::shared_ptr<NameSuggestions> suggestions;
   uint64_t scanned = 0;  // blocks, since the last snapshot
   Counters counters;
@@ -36,7 +37,7 @@ struct Document::State {
     engine.text = std::move(text);
     engine.segments = scan_files(engine.text);
     touched = {.all = true, .before = {}};
-    name_index = {};
+    occurrences = {};
     scanned = engine.segments.measure().blocks;
     is_current = false;
   }
@@ -65,9 +66,9 @@ struct Document::State {
     if (names > kFewNames && names > kMaxNamesPerDefinition * engine.segments.measure().definitions) {
       start_anew(std::move(engine.text));
     }
-    UpdateResult result = update(engine, touched, name_index);
+    UpdateResult result = update(engine, touched, occurrences);
     touched = {};
-    name_index = std::move(result.name_index);
+    occurrences = std::move(result.occurrences);
     counters = result.counters;
     counters.blocks_scanned = std::exchange(scanned, 0);
     if (result.other_definitions || !suggestions) suggestions = std::make_shared<NameSuggestions>();
@@ -86,7 +87,7 @@ struct Document::State {
     state->segments = engine.segments;
     state->view = FileView(engine.text, engine.segments, file);
     state->names = engine.names;
-    state->name_index = name_index;
+    state->occurrences = occurrences;
     state->lists_users = engine.lists_users;
     state->cycles = engine.cycles;
     state->root = engine.root;
@@ -117,12 +118,8 @@ void Document::replace(FileId file, Span span, std::string_view replacement) {
 
 void Document::set_text(FileId file, std::string_view text) {
   const std::string old = this->text(file).bytes();
-  const auto front = std::ranges::mismatch(old, text);
-  const auto begin = static_cast<uint32_t>(front.in1 - old.begin());
-  const auto back = std::mismatch(old.rbegin(), old.rend() - begin, text.rbegin(), text.rend() - begin);
-  const auto same_behind = static_cast<uint32_t>(back.first - old.rbegin());
-  replace(file, {begin, static_cast<uint32_t>(old.size()) - same_behind},
-          text.substr(begin, text.size() - same_behind - begin));
+  const TextChange change = smallest_change(old, text);
+  replace(file, change.span, change.replacement);
 }
 
 const SourceText& Document::text(FileId file) const {
@@ -182,7 +179,7 @@ void Document::prepare_for_edits() {
   if (!state_->is_current) state_->bring_up_to_date();
   if (state_->engine.lists_users) return;
   list_users(state_->engine);
-  state_->name_index = NameIndex(state_->engine.occurrences);
+  state_->occurrences = OccurrencesByName(state_->engine.occurrences);
   state_->forget_snapshots();
 }
 

@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "analysis/name_index.h"
+#include "analysis/name_occurrences.h"
 #include "analysis/project_text.h"
 #include "analysis/segment.h"
 #include "semantics/check.h"

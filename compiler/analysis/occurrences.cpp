@@ -56,7 +56,7 @@ constexpr uint32_t kFewest = 16;
 /// The blocks that may hold a name, in document order.
 std::vector<LocatedBlock> blocks_with(const Snapshot::State& state, NameId name) {
   std::vector<LocatedBlock> blocks;
-  const NameOccurrences& occurrences = *state.name_index.at(name.value).item;
+  const NameOccurrences& occurrences = *state.occurrences.at(name.value).item;
   const bool is_in_most = occurrences.users.size() > state.segments.measure().blocks / kFewest;
   if (!state.lists_users || is_in_most) {
     state.segments.visit_from(0, [&](const Segment& segment, const Segment::Measure& before) {

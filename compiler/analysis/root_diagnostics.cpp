@@ -163,9 +163,7 @@ class RootDiagnostics {
 }  // namespace
 
 bool is_brdf(const Signature& signature) {
-  const bool is_value = signature.result == Type::Real || is_triple(signature.result);
-  if (!signature.is_function) return is_value;
-  return is_value && signature.parameters.size() == 2 && std::ranges::all_of(signature.parameters, is_triple);
+  return (signature.result == Type::Real || is_triple(signature.result)) && has_brdf_parameters(signature);
 }
 
 std::vector<Diagnostic> diagnostics_for_root(const Snapshot::State& state, std::string_view root) {

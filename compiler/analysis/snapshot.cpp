@@ -68,8 +68,8 @@ LocatedBlock Snapshot::State::located_at(const SegmentSequence::Place& place) co
 }
 
 std::optional<DefinitionKey> Snapshot::State::find(NameId name) const {
-  if (name.value >= name_index.size()) return std::nullopt;
-  const Sequence<DefinitionKey>& definitions = name_index.at(name.value).item->definitions;
+  if (name.value >= occurrences.size()) return std::nullopt;
+  const Sequence<DefinitionKey>& definitions = occurrences.at(name.value).item->definitions;
   if (definitions.empty()) return std::nullopt;
   const DefinitionKey first = *definitions.at(0).item;
   return locate(first).placed().in_force ? std::optional(first) : std::nullopt;

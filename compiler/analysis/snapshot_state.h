@@ -85,7 +85,7 @@ struct Snapshot::State {
   FileView view;
   std::shared_ptr<const std::vector<IncludeProblem>> include_problems;
   std::shared_ptr<const NameTable> names;
-  NameIndex name_index;
+  OccurrencesByName occurrences;
   bool lists_users = false;
   std::shared_ptr<const std::vector<Cycle>> cycles;
   std::shared_ptr<NameSuggestions> suggestions;
@@ -107,7 +107,7 @@ struct Snapshot::State {
 
   /// Where `before` is the sum of all before the segment of a block.
   LocatedBlock located(const Segment& segment, const Segment::Measure& before) const {
-    return {segment.block.get(), view.block(before.blocks), view.offset(before.bytes),
+    return {&*segment.block, view.block(before.blocks), view.offset(before.bytes),
             view.definition(before.definitions).value};
   }
   LocatedBlock located_at(const SegmentSequence::Place& place) const;

@@ -17,14 +17,14 @@ constexpr size_t kFewest = 8;
 
 class Update {
  public:
-  Update(EngineState& state, const TouchedBlocks& touched, const NameIndex& index)
-      : state_(state), touched_(touched), index_(index), blocks_(state.segments) {}
+  Update(EngineState& state, const TouchedBlocks& touched, const OccurrencesByName& before)
+      : state_(state), is_all_new_(touched.all), touched_(touched), before_(before), blocks_(state.segments) {}
 
   UpdateResult run() {
     const std::vector<BlockChange> changes = read_changed_blocks(state_, touched_, blocks_, result_.counters);
-    names_ = update_names(state_, changes);
+    names_ = update_names(state_, changes, is_all_new_);
     OrderChange order = order_definitions(state_, blocks_, names_.reordered);
-    if (is_all_new()) {
+    if (is_all_new_) {
       check_all(state_, blocks_, order.order, result_.counters);
       store_blocks();
     } else {
@@ -41,9 +41,6 @@ class Update {
   }
 
  private:
-  // Users are listed with the first change of a document that was checked before.
-  bool is_all_new() const { return !state_.lists_users; }
-
   void mark_definitions() {
     for (WorkingBlock& block : blocks_.all()) mark_block(block);
     for (NameId name : names_.listed) mark_first(name);
@@ -81,7 +78,7 @@ class Update {
 
   /// Takes the block's content: it is not asked for any more.
   std::shared_ptr<const PlacedBlock> placed(WorkingBlock& block) {
-    if (is_all_new()) mark_block(block);
+    if (is_all_new_) mark_block(block);
     PlacedBlock placed{.label = block.label, .extent = block.extent, .analysed = nullptr, .definitions = {}};
     placed.reports = count_reports(block);
     for (uint32_t i = 0; i < block.definitions.size(); ++i) {
@@ -107,10 +104,22 @@ class Update {
 
   void store_blocks() {
     placed_ = SharedPool<PlacedBlock>(blocks_.all().size());
-    if (touched_.all || blocks_.all().size() > state_.segments.size() / kFewest) {
-      store_all_blocks();
-      return;
+    if (is_all_new_) {
+      store_new_blocks();
+    } else if (blocks_.all().size() > state_.segments.size() / kFewest) {
+      store_many_blocks();
+    } else {
+      store_few_blocks();
     }
+  }
+
+  void store_new_blocks() {
+    state_.segments.change_all([&](Segment& segment) {
+      if (segment.block) segment.block = placed(*blocks_.find(segment.block->label));
+    });
+  }
+
+  void store_few_blocks() {
     for (WorkingBlock& block : blocks_.all()) {
       const auto place = find_block(state_.segments, block.label);
       Segment segment = *place.item;
@@ -119,13 +128,7 @@ class Update {
     }
   }
 
-  void store_all_blocks() {
-    if (touched_.all) {
-      state_.segments.change_all([&](Segment& segment) {
-        if (segment.block) segment.block = placed(*blocks_.find(segment.block->label));
-      });
-      return;
-    }
+  void store_many_blocks() {
     std::vector<Segment> segments;
     segments.reserve(state_.segments.size());
     state_.segments.visit_from(0, [&](const Segment& segment, const Segment::Measure&) {
@@ -140,23 +143,24 @@ class Update {
   void store_names() {
     const size_t changed = names_.listed.size() + names_.mentioned.size();
     const bool is_first_listing = state_.lists_users && !listed_users_;
-    if (is_first_listing || changed > index_.size() / kFewest) {
-      result_.name_index = NameIndex(std::span(std::as_const(state_.occurrences)));
+    if (is_first_listing || changed > before_.size() / kFewest) {
+      result_.occurrences = OccurrencesByName(std::span(std::as_const(state_.occurrences)));
       return;
     }
     const std::span all(state_.occurrences);
-    result_.name_index = index_.with(index_.size(), 0, all.subspan(index_.size()));
+    result_.occurrences = before_.with(before_.size(), 0, all.subspan(before_.size()));
     for (NameId name : names_.listed) store_name(name);
     for (NameId name : names_.mentioned) store_name(name);
   }
 
   void store_name(NameId name) {
-    result_.name_index = result_.name_index.with(name.value, 1, std::span(&state_.occurrences[name.value], 1));
+    result_.occurrences = result_.occurrences.with(name.value, 1, std::span(&state_.occurrences[name.value], 1));
   }
 
   EngineState& state_;
+  const bool is_all_new_;
   const TouchedBlocks& touched_;
-  const NameIndex& index_;
+  const OccurrencesByName& before_;
   const bool listed_users_ = state_.lists_users;  // before
   WorkingBlocks blocks_;
   ChangedNames names_;
@@ -166,8 +170,8 @@ class Update {
 
 }  // namespace
 
-UpdateResult update(EngineState& state, const TouchedBlocks& touched, const NameIndex& index) {
-  return Update(state, touched, index).run();
+UpdateResult update(EngineState& state, const TouchedBlocks& touched, const OccurrencesByName& before) {
+  return Update(state, touched, before).run();
 }
 
 }  // namespace texbrdf

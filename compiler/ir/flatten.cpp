@@ -32,7 +32,7 @@ class Flattener {
       const ProgramDefinition& definition = program_.definitions[i];
       const bool is_root = i + 1 == program_.definitions.size();
       if (definition.signature.is_function && !is_root) continue;
-      if (definition.signature.is_function && !is_brdf(definition.signature)) {
+      if (!has_brdf_parameters(definition.signature)) {
         return Failure{fmt::format("`{}` is no function of two vectors", definition.canonical)};
       }
       if (auto failure = expand_definition(i)) return *std::move(failure);
@@ -50,10 +50,6 @@ class Flattener {
     std::map<uint32_t, uint32_t> binders;  ///< of the definition → of the flat graph
     std::optional<ValueId> called;         ///< result of the call at next_value
   };
-
-  static bool is_brdf(const Signature& signature) {
-    return signature.parameters.size() == 2 && is_triple(signature.parameters[0]) && is_triple(signature.parameters[1]);
-  }
 
   const ProgramDefinition& definition(const Frame& frame) const {
     return program_.definitions[frame.instance.function];

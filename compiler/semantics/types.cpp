@@ -1,5 +1,6 @@
 #include "semantics/types.h"
 
+#include <algorithm>
 #include <array>
 
 namespace texbrdf {
@@ -35,6 +36,11 @@ std::string signature_text(const Signature& signature) {
   if (signature.is_function) text += " → ";
   text += type_symbol(signature.result);
   return text;
+}
+
+bool has_brdf_parameters(const Signature& signature) {
+  return !signature.is_function ||
+         (signature.parameters.size() == 2 && std::ranges::all_of(signature.parameters, is_triple));
 }
 
 }  // namespace texbrdf

@@ -33,4 +33,7 @@ struct Signature {
 /// "ℝ³", or "ℝ × ℝ³ → ℝ³" for a function.
 std::string signature_text(const Signature& signature);
 
+/// True for a value, and for a function of two vectors.
+bool has_brdf_parameters(const Signature& signature);
+
 }  // namespace texbrdf

@@ -4,19 +4,6 @@
 namespace texbrdf {
 namespace {
 
-/// Columns that a code point takes: UTF-16 needs two units beyond the basic plane (four bytes of UTF-8).
-uint32_t columns_of(uint32_t code_point_bytes, ColumnUnit unit) {
-  switch (unit) {
-    case ColumnUnit::Utf8:
-      return code_point_bytes;
-    case ColumnUnit::Utf16:
-      return code_point_bytes == 4 ? 2 : 1;
-    case ColumnUnit::CodePoint:
-      return 1;
-  }
-  return 1;
-}
-
 struct Walk {
   uint32_t bytes = 0;
   uint32_t columns = 0;

@@ -1,5 +1,7 @@
 #include "source/utf8.h"
 
+#include "source/source_text.h"
+
 #include <utf8.h>
 
 namespace texbrdf {
@@ -32,6 +34,18 @@ CodePoint code_point_at_front(std::string_view text) {
   if (size == 1) return {1, true};
   if (size == 0 || size > text.size() || !utf8::is_valid(text.begin(), text.begin() + size)) return {1, false};
   return {size, true};
+}
+
+uint32_t columns_of(uint32_t code_point_bytes, ColumnUnit unit) {
+  switch (unit) {
+    case ColumnUnit::Utf8:
+      return code_point_bytes;
+    case ColumnUnit::Utf16:
+      return code_point_bytes == 4 ? 2 : 1;
+    case ColumnUnit::CodePoint:
+      return 1;
+  }
+  return 1;
 }
 
 uint32_t count_code_points(std::string_view text) {

@@ -15,6 +15,10 @@ struct CodePoint {
 
 CodePoint code_point_at_front(std::string_view text);
 
+enum class ColumnUnit : uint8_t;
+/// Columns that a code point takes: UTF-16 needs two units beyond the basic plane (four bytes of UTF-8).
+uint32_t columns_of(uint32_t code_point_bytes, ColumnUnit unit);
+
 uint32_t count_code_points(std::string_view text);
 
 /// The text with every ill-formed byte and every control character replaced by U+FFFD, a tab by `tab`: safe to show.

@@ -1,6 +1,5 @@
 #include "cli/json_output.h"
 
-#include "cli/uri.h"
 #include "lsp/json_writer.h"
 
 namespace texbrdf::cli {

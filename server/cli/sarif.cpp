@@ -1,7 +1,7 @@
 #include "cli/sarif.h"
 
-#include "cli/uri.h"
 #include "lsp/json_writer.h"
+#include "lsp/uri.h"
 
 namespace texbrdf::cli {
 namespace {
@@ -59,10 +59,15 @@ void write_tool(JsonWriter& json) {
   json.end_object();
 }
 
+/// A relative path stays relative.
+std::string uri_reference(std::string_view path) {
+  return path.starts_with('/') ? lsp::file_uri(path) : lsp::percent_encoded(path);
+}
+
 void write_artifact(JsonWriter& json, std::string_view file_name) {
   json.key("artifactLocation");
   json.begin_object();
-  json.member("uri", uri_of_path(file_name));
+  json.member("uri", uri_reference(file_name));
   json.end_object();
 }
 

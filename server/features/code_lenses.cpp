@@ -6,7 +6,6 @@
 #include "features/places.h"
 
 namespace texbrdf::features {
-namespace {}  // namespace
 
 std::vector<CodeLens> code_lenses(const Snapshot& snapshot, const CodeLensOptions& options) {
   std::vector<CodeLens> lenses;

@@ -6,7 +6,7 @@
 
 namespace texbrdf::lsp {
 
-OpenDocument& Documents::open(std::string uri, std::string text, int64_t version) {
+OpenDocument& Documents::open(std::string uri, std::string_view text, int64_t version) {
   close(uri);
   const bool is_file = uri.starts_with("file:");
   Buffer& buffer = projects_.open(is_file ? real_path(shown_path(uri)) : uri, SourceText(text));

@@ -32,7 +32,7 @@ struct OpenDocument {
 /// The documents that the client has open, by their URIs as the client writes them.
 class Documents {
  public:
-  OpenDocument& open(std::string uri, std::string text, int64_t version);
+  OpenDocument& open(std::string uri, std::string_view text, int64_t version);
   /// False where it was not open.
   bool close(std::string_view uri);
   void clear() {

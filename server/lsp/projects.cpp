@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lsp/follow_includes.h"
+#include "source/text_change.h"
 #include "syntax/block_scanner.h"
 
 namespace texbrdf::lsp {
@@ -298,12 +299,8 @@ void Projects::drop_unused() {
 
 void ProjectDocument::set_text(std::string_view text) {
   const std::string old = buffer_->text.bytes();
-  const auto front = std::ranges::mismatch(old, text);
-  const auto begin = static_cast<uint32_t>(front.in1 - old.begin());
-  const auto back = std::mismatch(old.rbegin(), old.rend() - begin, text.rbegin(), text.rend() - begin);
-  const auto same_behind = static_cast<uint32_t>(back.first - old.rbegin());
-  replace({begin, static_cast<uint32_t>(old.size()) - same_behind},
-          text.substr(begin, text.size() - same_behind - begin));
+  const TextChange change = smallest_change(old, text);
+  replace(change.span, change.replacement);
 }
 
 void ProjectDocument::prepare_for_edits() {

@@ -37,20 +37,8 @@ void TextWalk::step() {
   } else {
     const uint32_t size = code_point_at_front(text_.substr(at_)).size;
     at_ += size;
-    position_.column += columns_of(size);
+    position_.column += columns_of(size, unit_);
   }
-}
-
-uint32_t TextWalk::columns_of(uint32_t code_point_bytes) const {
-  switch (unit_) {
-    case ColumnUnit::Utf8:
-      return code_point_bytes;
-    case ColumnUnit::Utf16:
-      return code_point_bytes == 4 ? 2 : 1;
-    case ColumnUnit::CodePoint:
-      return 1;
-  }
-  return 1;
 }
 
 }  // namespace texbrdf::lsp

@@ -21,7 +21,6 @@ class TextWalk {
  private:
   void restart();
   void step();
-  uint32_t columns_of(uint32_t code_point_bytes) const;
 
   std::string_view text_;
   ColumnUnit unit_;

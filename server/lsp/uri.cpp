@@ -29,10 +29,10 @@ std::string shown_path(std::string_view uri) {
   return percent_decoded(uri.substr(kFileScheme.size()));
 }
 
-std::string file_uri(std::string_view path) {
+std::string percent_encoded(std::string_view path) {
   constexpr std::string_view kPlain = "/-._~";
   constexpr std::string_view kDigits = "0123456789ABCDEF";
-  std::string uri(kFileScheme);
+  std::string uri;
   for (const char c : path) {
     const auto byte = static_cast<unsigned char>(c);
     const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
@@ -46,6 +46,10 @@ std::string file_uri(std::string_view path) {
     }
   }
   return uri;
+}
+
+std::string file_uri(std::string_view path) {
+  return std::string(kFileScheme).append(percent_encoded(path));
 }
 
 }  // namespace texbrdf::lsp

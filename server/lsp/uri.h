@@ -9,6 +9,9 @@ namespace texbrdf::lsp {
 /// by their URIs as the client writes them, never by this.
 std::string shown_path(std::string_view uri);
 
+/// A path as it stands in a URI: all but `/` and RFC 3986's unreserved characters as `%XX`.
+std::string percent_encoded(std::string_view path);
+
 /// The `file:` URI of an absolute path.
 std::string file_uri(std::string_view path);
 

@@ -8,6 +8,7 @@
 
 #include "exercise.h"
 #include "ir/passes/passes.h"
+#include "support/program_of_graph.h"
 
 namespace {
 
@@ -16,7 +17,7 @@ using ir::Op;
 using ir::ValueId;
 
 constexpr std::size_t kMaxInput = 1 << 10;
-constexpr uint32_t kParameters = 4;  // real and triple by turns
+constexpr int kParameters = 4;  // real and triple by turns
 constexpr std::array kNumbers = {0.0, 1.0, -1.0, 2.0, 3.0, 0.5, -0.25, 1e-3, 7.0, 1e300, 70'000.0, 5e-324};
 
 /// Builds a graph: a byte says the op, one more each operand or payload.
@@ -40,8 +41,8 @@ class GraphBuilder {
   }
 
   void add_inputs() {
-    for (uint32_t i = 0; i < kParameters; ++i) {
-      graph_.leaf(Op::Parameter, i % 2 == 0 ? Type::Real : Type::Colour, i);
+    for (int i = 0; i < kParameters; ++i) {
+      graph_.leaf(Op::Parameter, i % 2 == 0 ? Type::Real : Type::Colour, static_cast<uint32_t>(i));
     }
     std::vector<ValueId> by_convention;
     for (const ConventionEntry& entry : conventions()) {
@@ -108,22 +109,6 @@ class GraphBuilder {
   ir::Graph graph_;
 };
 
-ir::Program program_of(ir::Graph graph) {
-  ir::Program program;
-  for (uint32_t i = 0; i < kParameters; ++i) {
-    ir::Parameter& parameter = program.parameters.emplace_back();
-    parameter.name.base = std::string(1, static_cast<char>('p' + i));
-    parameter.type = i % 2 == 0 ? Type::Real : Type::Colour;
-    parameter.value = {0.5, 0.25, 0.125};
-  }
-  ir::ProgramDefinition& root = program.definitions.emplace_back();
-  root.name.base = "f";
-  root.signature.result = graph.at(graph.roots[0]).type;
-  root.graph = std::move(graph);
-  root.equation = "f = a graph";
-  return program;
-}
-
 void run_each_pass(const ir::Graph& graph) {
   for (const auto passes : {ir::evaluation_passes(), ir::emission_passes()}) {
     ir::Graph current = graph;
@@ -141,6 +126,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, std::size_t size) {
   ir::Graph graph = GraphBuilder({data, size}).build();
   if (ir::find_fault(graph)) return 0;
   run_each_pass(graph);
-  test::exercise(program_of(std::move(graph)));
+  test::exercise(test::program_of_graph(std::move(graph), kParameters));
   return 0;
 }

@@ -11,6 +11,7 @@
 #include "analysis/document.h"
 #include "emit/emit.h"
 #include "glsl_validator.h"
+#include "support/program_of_graph.h"
 #include "support/random_document.h"
 #include "support/random_graph.h"
 #include "support/read_file.h"
@@ -105,22 +106,6 @@ TEST(EmittedCode, OfRandomDocumentsIsLegal) {
     expect_good_code(program_of(text));
     if (HasFailure()) return;
   }
-}
-
-ir::Program program_of_graph(ir::Graph graph, int parameters) {
-  ir::Program program;
-  for (int i = 0; i < parameters; ++i) {
-    ir::Parameter& parameter = program.parameters.emplace_back();
-    parameter.name.base = std::string(1, static_cast<char>('p' + i));
-    parameter.type = i % 2 == 0 ? Type::Real : Type::Colour;
-    parameter.value = {0.5, 0.25, 0.125};
-  }
-  ir::ProgramDefinition& root = program.definitions.emplace_back();
-  root.name.base = "f";
-  root.signature.result = graph.at(graph.roots[0]).type;
-  root.graph = std::move(graph);
-  root.equation = "f = a graph";
-  return program;
 }
 
 TEST(EmittedCode, OfRandomGraphsIsLegal) {

@@ -1,5 +1,5 @@
 # A definition in another file, on the disk.
-file main.tex
+file paper.tex
 | \input{parts/terms}
 | \begin{equation}
 |   f = g(m) * \rho
@@ -13,7 +13,7 @@ file parts/terms.tex
 | \end{equation}
 client {"capabilities": {"textDocument": {"publishDiagnostics": {"relatedInformation": true}}}, "rootUri": "file:///work"}
 <- {"id":0,"positionEncoding":"utf-16"}
-open main.tex
+open paper.tex
 | \input{parts/terms}
 | \begin{equation}
 |   f = g(m) * \rho
@@ -21,7 +21,7 @@ open main.tex
 <- {
      "method": "textDocument/publishDiagnostics",
      "params": {
-       "uri": "main.tex",
+       "uri": "paper.tex",
        "version": 1,
        "diagnostics": [
          {
@@ -34,9 +34,9 @@ open main.tex
        ]
      }
    }
--> textDocument/definition {"doc": "main.tex", "at": "3:7"}
+-> textDocument/definition {"doc": "paper.tex", "at": "3:7"}
 <- {"id":1,"result":{"uri":"parts/terms.tex","range":"2:3-2:4"}}
--> textDocument/hover {"doc": "main.tex", "at": "3:9"}
+-> textDocument/hover {"doc": "paper.tex", "at": "3:9"}
 <- {
      "id": 2,
      "result": {
@@ -47,10 +47,10 @@ open main.tex
        "range": "3:9-3:10"
      }
    }
--> textDocument/references {"doc": "main.tex", "at": "3:9", "context": {"includeDeclaration": true}}
-<- {"id":3,"result":[{"uri":"main.tex","range":"3:9-3:10"},{"uri":"parts/terms.tex","range":"5:3-5:4"}]}
--> textDocument/documentSymbol {"doc": "main.tex"}
-<- {"id":4,"result":[{"name":"f","kind":13,"location":{"uri":"main.tex","range":"3:3-3:18"}}]}
+-> textDocument/references {"doc": "paper.tex", "at": "3:9", "context": {"includeDeclaration": true}}
+<- {"id":3,"result":[{"uri":"paper.tex","range":"3:9-3:10"},{"uri":"parts/terms.tex","range":"5:3-5:4"}]}
+-> textDocument/documentSymbol {"doc": "paper.tex"}
+<- {"id":4,"result":[{"name":"f","kind":13,"location":{"uri":"paper.tex","range":"3:3-3:18"}}]}
 # The buffer of an included file wins over the disk; its edit mends the root.
 open parts/terms.tex
 | \begin{equation}
@@ -68,15 +68,15 @@ change parts/terms.tex 6:15-6:15 "\n\\begin{equation}\n  \\rho = 0.5\n\\end{equa
      "method": "textDocument/publishDiagnostics",
      "params": {"uri":"parts/terms.tex","version":2,"diagnostics":[]}
    }
-<- {"method":"textDocument/publishDiagnostics","params":{"uri":"main.tex","version":1,"diagnostics":[]}}
+<- {"method":"textDocument/publishDiagnostics","params":{"uri":"paper.tex","version":1,"diagnostics":[]}}
 -> textDocument/references {"doc": "parts/terms.tex", "at": "8:4", "context": {"includeDeclaration": true}}
-<- {"id":5,"result":[{"uri":"main.tex","range":"3:14-3:18"},{"uri":"parts/terms.tex","range":"8:3-8:7"}]}
+<- {"id":5,"result":[{"uri":"paper.tex","range":"3:14-3:18"},{"uri":"parts/terms.tex","range":"8:3-8:7"}]}
 -> textDocument/rename {"doc": "parts/terms.tex", "at": "8:4", "newName": "\\rho_d"}
 <- {
      "id": 6,
      "result": {
        "changes": {
-         "file:///work/main.tex": [{"range":"3:14-3:18","newText":"\\rho_d"}],
+         "file:///work/paper.tex": [{"range":"3:14-3:18","newText":"\\rho_d"}],
          "file:///work/parts/terms.tex": [{"range":"8:3-8:7","newText":"\\rho_d"}]
        }
      }
@@ -137,7 +137,7 @@ change parts/terms.tex 5:7-5:12 "0.3"
 <- {
      "method": "textDocument/publishDiagnostics",
      "params": {
-       "uri": "main.tex",
+       "uri": "paper.tex",
        "version": 1,
        "diagnostics": [
          {

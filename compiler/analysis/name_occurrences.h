@@ -38,7 +38,7 @@ struct NameOccurrences {
 };
 
 /// By NameId.
-using NameIndex = Sequence<NameOccurrences>;
+using OccurrencesByName = Sequence<NameOccurrences>;
 
 template <typename Key>
 void insert_key(Sequence<Key>& keys, const Key& key) {
