@@ -46,12 +46,7 @@ class RootSearch {
     const CheckedDefinition* checked;
     std::span<const NameId> mentions;
 
-    // A value, or a function of two directions.
-    bool has_shape() const {
-      const Signature& signature = checked->signature;
-      if (!signature.is_function) return true;
-      return signature.parameters.size() == 2 && std::ranges::all_of(signature.parameters, is_triple);
-    }
+    bool has_shape() const { return has_brdf_parameters(checked->signature); }
     bool is_directional() const {
       return checked->directional || std::ranges::any_of(checked->signature.parameters, is_triple);
     }
@@ -84,19 +79,19 @@ class RootSearch {
     if (std::ranges::any_of(all, &Candidate::is_directional)) {
       std::erase_if(all, [](const Candidate& candidate) { return !candidate.is_directional(); });
     }
-    std::optional<NameId> best;
+    const Candidate* best = nullptr;
     for (const Candidate& candidate : all) {
       const bool is_used = std::ranges::any_of(all, [&](const Candidate& user) {
         return user.name != candidate.name && std::ranges::find(user.mentions, candidate.name) != user.mentions.end();
       });
-      if (!is_used && (!best || rank(candidate.name) < rank(*best))) best = candidate.name;
+      if (!is_used && (best == nullptr || rank(candidate) < rank(*best))) best = &candidate;
     }
-    return best;
+    return best == nullptr ? std::nullopt : std::optional(best->name);
   }
 
-  // One that needs more is nearer to the whole; else `f` itself, else the first of the document.
-  std::pair<int64_t, bool> rank(NameId name) const {
-    return {-int64_t{state_.name_states[name.value].height}, state_.names->text(name) != "f"};
+  // One that mentions more is nearer to the whole; else `f` itself, else the first of the document.
+  std::pair<int64_t, bool> rank(const Candidate& candidate) const {
+    return {-static_cast<int64_t>(candidate.mentions.size()), state_.names->text(candidate.name) != "f"};
   }
 
   const EngineState& state_;

@@ -1,6 +1,7 @@
 // Any edits of any document: what is kept from before an edit gives what a new document with the same text gives. An
 // input is the document, then edits, each behind a byte 0xFF: two bytes of place, one of length, and the new text.
 #include <cstdint>
+#include <iostream>
 #include <string>
 #include <string_view>
 
@@ -51,6 +52,12 @@ void apply(std::string_view edit, Document& document) {
   document.replace({begin, begin + byte(2)}, edit.substr(3));
 }
 
+void expect_equal(const std::string& edited, const std::string& fresh) {
+  if (edited == fresh) return;
+  std::cerr << "edited:\n" << edited << "\nfresh:\n" << fresh << '\n';
+  throw InternalError("an edit gives something else than its text");
+}
+
 std::string text_of(const SourceText& text) {
   return std::string(text.slice({0, text.size()}));
 }
@@ -65,7 +72,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, std::size_t size) {
   for (int i = 0; i < kMaxEdits && !input.empty(); ++i) {
     apply(take_piece(input), document);
     Document fresh(text_of(document.text()));
-    require(describe(document.snapshot()) == describe(fresh.snapshot()), "an edit gives something else than its text");
+    expect_equal(describe(document.snapshot()), describe(fresh.snapshot()));
   }
   return 0;
 }
