@@ -67,27 +67,22 @@ class Sequence {
     return place;
   }
 
+  /// Of an item that exists.
   Place at(uint32_t index) const {
-    Place place;
+    Measure before;
     const Node* node = root_.get();
-    uint32_t wanted = index;
-    while (node != nullptr) {
+    for (uint32_t wanted = index;;) {
       const uint32_t left = size_of(node->left);
       if (wanted < left) {
         node = node->left.get();
         continue;
       }
-      place.before = place.before + measure_of(node->left);
-      if (wanted == left) {
-        place.item = &node->item;
-        break;
-      }
-      place.before = place.before + node->item.measure();
+      before = before + measure_of(node->left);
+      if (wanted == left) return {&node->item, index, before};
+      before = before + node->item.measure();
       wanted -= left + 1;
       node = node->right.get();
     }
-    place.index = index;
-    return place;
   }
 
   /// Visits the items from `first` on, with the sum of all before each, until `visit(item, before)` gives false.

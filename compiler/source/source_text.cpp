@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "source/position_walk.h"
 #include "source/utf8.h"
 
 namespace texbrdf {
@@ -99,23 +100,7 @@ uint32_t SourceText::columns_before(uint32_t offset, ColumnUnit unit) const {
 }
 
 Position SourceText::position(uint32_t offset, ColumnUnit unit) const {
-  if (chunks_.empty()) return {};
-  const uint32_t at = std::min(offset, size());
-  auto chunk = chunks_.find([&](const TextChunk::Measure& sum) { return sum.bytes > at; });
-  if (chunk.item == nullptr) chunk = chunks_.at(chunks_.size() - 1);
-
-  uint32_t in_chunk = at - chunk.before.bytes;
-  const std::string_view bytes = chunk.item->bytes();
-  const bool is_inside_ending =
-      in_chunk > 0 && in_chunk < bytes.size() && bytes[in_chunk] == '\n' && bytes[in_chunk - 1] == '\r';
-  if (is_inside_ending) --in_chunk;
-
-  const std::vector<uint16_t>& starts = chunk.item->line_starts();
-  const auto behind = std::ranges::upper_bound(starts, in_chunk);
-  const uint32_t line = chunk.before.line_ends + static_cast<uint32_t>(behind - starts.begin());
-  const uint32_t columns = chunk.item->columns_before(in_chunk, unit);
-  if (behind != starts.begin()) return {line, columns - chunk.item->columns_before(*std::prev(behind), unit)};
-  return {line, chunk.before.columns(unit) + columns - columns_before(line_start(line), unit)};
+  return PositionWalk(*this, unit).at(offset);
 }
 
 uint32_t SourceText::offset(Position position, ColumnUnit unit) const {

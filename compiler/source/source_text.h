@@ -81,8 +81,11 @@ class SourceText {
   /// Of a line that exists.
   uint32_t line_start(uint32_t line) const;
 
+  const Sequence<TextChunk>& chunks() const { return chunks_; }
   /// Offsets beyond the end give the end of the document.
   Position position(uint32_t offset, ColumnUnit unit) const;
+  /// Columns of all that stands in front of the offset, line endings included.
+  uint32_t columns_before(uint32_t offset, ColumnUnit unit) const;
   /// A column beyond the end of its line gives the line's end, a line beyond the last the document's end;
   /// a column inside a code point gives the code point's start.
   uint32_t offset(Position position, ColumnUnit unit) const;
@@ -90,7 +93,6 @@ class SourceText {
  private:
   /// Behind the line's last byte that is not of its line ending.
   uint32_t line_end(uint32_t line) const;
-  uint32_t columns_before(uint32_t offset, ColumnUnit unit) const;
 
   Sequence<TextChunk> chunks_;
 };

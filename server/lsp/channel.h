@@ -16,7 +16,7 @@ class Channel {
   /// Idle: nothing came in that time. Closed: nothing will ever come.
   virtual Status read(std::string& buffer, int timeout_ms) = 0;
   /// Takes the bytes at once and passes them on as the client reads; never waits.
-  virtual void write(std::string_view bytes) = 0;
+  virtual void write(std::string bytes) = 0;
   /// Waits until the client has taken all that was written, but not for ever.
   virtual void flush() = 0;
 };

@@ -8,6 +8,7 @@
 
 #include "lsp/session.h"
 #include "lsp/text_walk.h"
+#include "source/position_walk.h"
 
 namespace texbrdf::lsp {
 namespace {
@@ -80,41 +81,59 @@ class BlockWriter {
   TextWalk walk_;
 };
 
+/// With a comma behind.
 std::string block_json(const Snapshot& snapshot, BlockId id, ColumnUnit unit, Position begin) {
   JsonWriter out;
   BlockWriter writer(out, snapshot.parsed(id), unit, begin);
   for (const features::Symbol& symbol : features::block_symbols(snapshot, id)) writer.write(symbol);
-  return out.take();
+  std::string symbols = out.take();
+  if (!symbols.empty()) symbols += ',';
+  return symbols;
 }
 
 /// Writes all symbols; what was written before of blocks that are as they were, and where they were, is taken over.
 class SymbolWriter {
  public:
   SymbolWriter(const Snapshot& snapshot, ColumnUnit unit, SymbolCache& cache)
-      : snapshot_(snapshot), unit_(unit), cache_(cache) {}
+      : snapshot_(snapshot), unit_(unit), cache_(cache), positions_(snapshot.text(), unit) {}
 
   void run() {
-    now_.json.reserve(cache_.json.size() + kUsualSymbolBytes);
     now_.runs.reserve(snapshot_.blocks().size());
     uint32_t index = 0;
     for (const Block& block : snapshot_.blocks()) write(BlockId{index++}, block);
+    take_over();
     now_.snapshot = snapshot_;
     cache_ = std::move(now_);
   }
 
  private:
   void write(BlockId id, const Block& block) {
-    const Position begin = snapshot_.text().position(block.offset, unit_);
-    const auto offset = static_cast<uint32_t>(now_.json.size());
+    const Position begin = positions_.at(block.offset);
     const SymbolCache::Run* const before = find_run(block.identity, begin);
     if (before != nullptr) {
-      now_.json.append(cache_.json, before->offset, before->size);
-    } else {
-      now_.json += block_json(snapshot_, id, unit_, begin);
+      if (before->offset != same_.end) take_over();
+      if (same_.empty()) same_.begin = before->offset;
+      same_.end = before->offset + before->size;
+      now_.runs.push_back({block.identity, begin, json_size() - before->size, before->size});
+      return;
     }
-    const auto size = static_cast<uint32_t>(now_.json.size()) - offset;
-    now_.runs.push_back({block.identity, begin, offset, size});
-    if (size > 0) now_.json += ',';
+    take_over();
+    const std::string symbols = block_json(snapshot_, id, unit_, begin);
+    now_.runs.push_back({block.identity, begin, json_size(), static_cast<uint32_t>(symbols.size())});
+    now_.json += symbols;
+  }
+
+  uint32_t json_size() const { return static_cast<uint32_t>(now_.json.size()) + same_.size(); }
+
+  void take_over() {
+    if (same_.empty()) return;
+    if (same_.size() == cache_.json.size()) {
+      now_.json = std::move(cache_.json);
+    } else {
+      if (now_.json.empty()) now_.json.reserve(cache_.json.size() + kUsualSymbolBytes);
+      now_.json.append(cache_.json, same_.begin, same_.size());
+    }
+    same_ = {};
   }
 
   // Blocks keep their order: the next one is found at once or soon.
@@ -133,7 +152,9 @@ class SymbolWriter {
   ColumnUnit unit_;
   SymbolCache& cache_;  // of the answer before
   std::size_t next_ = 0;
+  Span same_;  // of the old text: taken over, not yet written
   SymbolCache now_;
+  PositionWalk positions_;
 };
 
 /// A SymbolInformation, for clients that know no hierarchy.

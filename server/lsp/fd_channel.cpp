@@ -7,6 +7,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <utility>
 
 namespace texbrdf::lsp {
 namespace {
@@ -15,6 +16,8 @@ constexpr std::size_t kReadBytes = std::size_t{1} << 16;
 /// With so much unsent, a client that only writes is not read any more.
 constexpr std::size_t kMaxUnsentBytes = std::size_t{64} << 20;
 constexpr int kFlushTimeoutMs = 2000;
+/// Asked of a pipe, so that a large answer does not wait for the client to take every 64 KiB of it.
+constexpr int kPipeBytes = 1 << 20;
 
 bool would_block() {
   return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR;
@@ -26,6 +29,7 @@ FdChannel::FdChannel(int input_fd, int output_fd)
     : input_fd_(input_fd), output_fd_(output_fd), output_flags_(fcntl(output_fd, F_GETFL)), chunk_(kReadBytes) {
   std::signal(SIGPIPE, SIG_IGN);
   if (output_flags_ >= 0) fcntl(output_fd_, F_SETFL, output_flags_ | O_NONBLOCK);
+  fcntl(output_fd_, F_SETPIPE_SZ, kPipeBytes);
 }
 
 FdChannel::~FdChannel() {
@@ -35,8 +39,8 @@ FdChannel::~FdChannel() {
 Channel::Status FdChannel::read(std::string& buffer, int timeout_ms) {
   if (input_closed_ || output_closed_) return Status::Closed;
   std::array<pollfd, 2> watched = {{{input_fd_, POLLIN, 0}, {output_fd_, POLLOUT, 0}}};
-  if (unsent() > kMaxUnsentBytes) watched[0].fd = -1;
-  if (unsent() == 0) watched[1].fd = -1;
+  if (unsent_ > kMaxUnsentBytes) watched[0].fd = -1;
+  if (unsent_ == 0) watched[1].fd = -1;
   if (poll(watched.data(), watched.size(), timeout_ms) <= 0) return Status::Idle;
   if (watched[1].revents != 0) send();
   if (output_closed_) return Status::Closed;
@@ -54,17 +58,26 @@ Channel::Status FdChannel::receive(std::string& buffer) {
   return Status::Data;
 }
 
-void FdChannel::write(std::string_view bytes) {
-  if (unsent() == 0) bytes.remove_prefix(written(bytes));
-  if (!output_closed_) outgoing_ += bytes;
+void FdChannel::write(std::string bytes) {
+  if (bytes.empty() || output_closed_) return;
+  unsent_ += bytes.size();
+  outgoing_.push_back(std::move(bytes));
+  if (outgoing_.size() == 1) send();
 }
 
 void FdChannel::send() {
-  sent_ += written(std::string_view(outgoing_).substr(sent_));
-  if (output_closed_) sent_ = outgoing_.size();
-  if (sent_ < unsent()) return;  // moving the rest has to be paid for by what was sent
-  outgoing_.erase(0, sent_);
-  sent_ = 0;
+  while (!outgoing_.empty()) {
+    const std::string& first = outgoing_.front();
+    const std::size_t taken = written(std::string_view(first).substr(sent_));
+    sent_ += taken;
+    unsent_ -= taken;
+    if (sent_ < first.size()) break;
+    outgoing_.pop_front();
+    sent_ = 0;
+  }
+  if (!output_closed_) return;
+  outgoing_.clear();
+  sent_ = unsent_ = 0;
 }
 
 /// How many of the bytes the client takes now.
@@ -83,7 +96,7 @@ std::size_t FdChannel::written(std::string_view bytes) {
 }
 
 void FdChannel::flush() {
-  while (unsent() > 0) {
+  while (unsent_ > 0) {
     pollfd watched = {output_fd_, POLLOUT, 0};
     if (poll(&watched, 1, kFlushTimeoutMs) <= 0) return;
     send();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,21 +20,21 @@ class FdChannel final : public Channel {
   FdChannel& operator=(const FdChannel&) = delete;
 
   Status read(std::string& buffer, int timeout_ms) override;
-  void write(std::string_view bytes) override;
+  void write(std::string bytes) override;
   void flush() override;
 
  private:
   Status receive(std::string& buffer);
   void send();
   std::size_t written(std::string_view bytes);
-  std::size_t unsent() const { return outgoing_.size() - sent_; }
 
   int input_fd_;
   int output_fd_;
   int output_flags_;
   std::vector<char> chunk_;
-  std::string outgoing_;
-  std::size_t sent_ = 0;  ///< bytes of `outgoing_` that the client has
+  std::deque<std::string> outgoing_;
+  std::size_t sent_ = 0;    ///< bytes of the first outgoing text that the client has
+  std::size_t unsent_ = 0;  ///< bytes that it has not
   bool input_closed_ = false;
   bool output_closed_ = false;
 };

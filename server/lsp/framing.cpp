@@ -138,8 +138,9 @@ void FrameDecoder::consume(std::size_t bytes) {
   if (buffer_.empty() && buffer_.capacity() > kKeptCapacity) buffer_ = {};
 }
 
-std::string frame(std::string_view body) {
-  return fmt::format("Content-Length: {}\r\n\r\n{}", body.size(), body);
+std::string frame(std::string body) {
+  body.insert(0, fmt::format("Content-Length: {}\r\n\r\n", body.size()));
+  return body;
 }
 
 }  // namespace texbrdf::lsp

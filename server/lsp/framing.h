@@ -50,6 +50,6 @@ class FrameDecoder {
 };
 
 /// A message ready to be sent.
-std::string frame(std::string_view body);
+std::string frame(std::string body);
 
 }  // namespace texbrdf::lsp

@@ -37,13 +37,16 @@ class JsonWriter {
     value(content);
   }
 
-  /// Room for about so many more bytes, so that a large result is not copied while it grows.
-  void reserve(std::size_t bytes) { text_.reserve(text_.size() + bytes); }
+  /// Room for so many more bytes and what usually stands around them, so that a large result is not copied while it
+  /// grows.
+  void reserve(std::size_t bytes) { text_.reserve(text_.size() + bytes + kUsualFrameBytes); }
 
   const std::string& text() const { return text_; }
   std::string take() { return std::move(text_); }
 
  private:
+  static constexpr std::size_t kUsualFrameBytes = 64;
+
   void separate();
   void open(char bracket);
   void close(char bracket);

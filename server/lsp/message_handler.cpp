@@ -63,7 +63,7 @@ void MessageHandler::handle_request(const IncomingMessage& message, bool cancell
     reply_error(message, *error);
   } else {
     response.end_object();
-    send(response.text());
+    send(response.take());
   }
   log_.debug(fmt::format("{} {}: {:.3f} ms{}", message.method, message.id, watch.milliseconds(),
                          error ? fmt::format(", error {}: {}", static_cast<int>(error->code), error->message) : ""));
@@ -131,16 +131,16 @@ void MessageHandler::publish_next() {
     session_.write_next_publication(notification);
     notification.end_object();
     ++session_.traffic().published;
-    send(notification.text());
+    send(notification.take());
   } catch (const std::exception& fault) {
     log_.error(fmt::format("internal error in diagnostics: {}", fault.what()));
   }
   log_.debug(fmt::format("textDocument/publishDiagnostics: {:.3f} ms", watch.milliseconds()));
 }
 
-void MessageHandler::send(const std::string& body) {
+void MessageHandler::send(std::string body) {
   if (log_.shows(LogLevel::Trace)) log_.trace(fmt::format("-> {}", std::string_view(body).substr(0, kTracedBytes)));
-  send_(body);
+  send_(std::move(body));
 }
 
 void MessageHandler::reply_error(const IncomingMessage& message, const ResponseError& error) {

@@ -16,12 +16,12 @@ namespace texbrdf::lsp {
 /// handler becomes an error reply and a line of the log.
 class MessageHandler {
  public:
-  using Send = std::function<void(const std::string& body)>;
+  using Send = std::function<void(std::string body)>;
 
   /// All have to outlive the handler.
   MessageHandler(Session& session, const Dispatcher& methods, Log& log, Send send)
       : session_(session), methods_(methods), log_(log), send_(std::move(send)) {
-    session_.outbox().connect([this](const std::string& body) { this->send(body); });
+    session_.outbox().connect([this](std::string body) { this->send(std::move(body)); });
   }
   MessageHandler(const MessageHandler&) = delete;
   MessageHandler& operator=(const MessageHandler&) = delete;
@@ -36,7 +36,7 @@ class MessageHandler {
   void handle_response(const IncomingMessage& message);
   std::optional<ResponseError> refusal(const IncomingMessage& message, bool cancelled) const;
   std::optional<ResponseError> answer(const IncomingMessage& message, JsonWriter& result);
-  void send(const std::string& body);
+  void send(std::string body);
   void reply_error(const IncomingMessage& message, const ResponseError& error);
 
   Session& session_;

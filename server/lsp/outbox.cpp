@@ -27,7 +27,7 @@ void Outbox::notify(std::string_view method, const WriteParams& write_params) {
   begin_notification(message, method);
   write_params(message);
   message.end_object();
-  send_(message.text());
+  send_(message.take());
 }
 
 void Outbox::request(std::string_view method, const WriteParams& write_params, OnResult on_result) {
@@ -44,7 +44,7 @@ void Outbox::request(std::string_view method, const WriteParams& write_params, O
     write_params(message);
   }
   message.end_object();
-  send_(message.text());
+  send_(message.take());
 }
 
 void Outbox::take_reply(const IncomingMessage& reply) {

@@ -16,7 +16,7 @@ namespace texbrdf::lsp {
 /// What the server says unasked: notifications, and requests of its own, whose replies are matched by their ids.
 class Outbox {
  public:
-  using Send = std::function<void(const std::string& body)>;
+  using Send = std::function<void(std::string body)>;
   using WriteParams = std::function<void(JsonWriter& params)>;
   using OnResult = std::function<void(const nlohmann::json& result)>;
 
@@ -42,7 +42,7 @@ class Outbox {
   };
 
   Log& log_;
-  Send send_ = [](const std::string&) {};
+  Send send_ = [](std::string) {};
   int64_t next_id_ = 1;
   std::map<int64_t, Waiting> waiting_;
 };

@@ -7,7 +7,7 @@
 
 #include "analysis/snapshot.h"
 #include "lsp/protocol.h"
-#include "source/source_text.h"
+#include "source/position_walk.h"
 #include "source/span.h"
 
 namespace texbrdf::lsp {
@@ -15,12 +15,12 @@ namespace texbrdf::lsp {
 /// Byte offsets of a text as positions of the protocol. Of a snapshot, also those in other files of its project.
 class Positions {
  public:
-  Positions(const SourceText& text, ColumnUnit unit) : text_(text), unit_(unit) {}
+  Positions(const SourceText& text, ColumnUnit unit) : own_(text, unit), unit_(unit) {}
   using UriOf = std::function<std::string(FileId)>;
   Positions(const Snapshot& snapshot, ColumnUnit unit, UriOf uri_of)
-      : text_(snapshot.text()), unit_(unit), snapshot_(&snapshot), uri_of_(std::move(uri_of)) {}
+      : own_(snapshot.text(), unit), unit_(unit), snapshot_(&snapshot), uri_of_(std::move(uri_of)) {}
 
-  Position at(uint32_t offset) { return text_.position(offset, unit_); }
+  Position at(uint32_t offset) { return own_.at(offset); }
   Range range(Span span) {
     if (!is_elsewhere(span)) return {at(span.begin), at(span.end)};
     const FilePlace place = snapshot_->place(span);
@@ -32,7 +32,7 @@ class Positions {
   std::string uri_elsewhere(Span span) const { return uri_of_(snapshot_->place(span).file); }
 
  private:
-  const SourceText& text_;
+  PositionWalk own_;
   ColumnUnit unit_;
   const Snapshot* snapshot_ = nullptr;
   UriOf uri_of_;

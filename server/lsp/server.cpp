@@ -36,7 +36,7 @@ class Server {
         client_process_(options.process_alive ? options.process_alive : process_exists),
         queue_(channel, log),
         session_(log, client_process_, options.version, options.docs_url),
-        handler_(session_, methods_, log, [&channel](const std::string& body) { channel.write(frame(body)); }) {
+        handler_(session_, methods_, log, [&channel](std::string body) { channel.write(frame(std::move(body))); }) {
     session_.bind_methods(methods_);
   }
 

@@ -10,7 +10,8 @@
 
 namespace texbrdf::lsp {
 
-/// The document symbols that were answered last, as JSON, and which part of it is which block's. An edit changes few.
+/// The document symbols that were answered last, as JSON with a comma behind each, and which part of it is which
+/// block's. An edit changes few.
 struct SymbolCache {
   struct Run {
     const void* block = nullptr;  ///< its identity

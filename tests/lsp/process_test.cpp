@@ -62,7 +62,7 @@ class Daemon {
       bytes.remove_prefix(static_cast<std::size_t>(count));
     }
   }
-  void send(std::string_view body) const { send_bytes(lsp::frame(body)); }
+  void send(std::string_view body) const { send_bytes(lsp::frame(std::string(body))); }
 
   /// The next message; empty where the output ends or the deadline passes. Anything else on the output is a failure.
   std::string receive() {

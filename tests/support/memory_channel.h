@@ -29,7 +29,7 @@ class MemoryChannel final : public lsp::Channel {
     buffer += chunk;
     return chunk.empty() ? Status::Idle : Status::Data;
   }
-  void write(std::string_view bytes) override { replies_.back() += bytes; }
+  void write(std::string bytes) override { replies_.back() += bytes; }
   void flush() override {}
 
   /// What was written after each chunk; the last one is behind the end of the input.
