@@ -147,7 +147,7 @@ class Rescanner {
   }
 
   BlockLabel next_label() const {
-    const uint32_t blocks = old_.at(behind_).before.blocks;
+    const uint32_t blocks = (behind_ < old_.size() ? old_.at(behind_).before : old_.measure()).blocks;
     const auto next = old_.find([blocks](const Segment::Measure& sum) { return sum.blocks > blocks; });
     return next.item == nullptr ? kLastLabel : next.item->block->label;
   }
