@@ -20,23 +20,20 @@ bool is_ignored(const std::vector<Directive>& directives) {
 
 }  // namespace
 
-AnalysedBlock analyse_block(std::string_view text, const BlockExtent& extent, NameTable& table) {
-  AnalysedBlock block;
-  block.parsed = parse_block(text, extent);
+AnalysedBlock analyse_block(std::string_view text, const BlockExtent& extent, NameTable& table,
+                            std::pmr::memory_resource* memory) {
+  AnalysedBlock block(memory);
+  block.parsed = parse_block(text, extent, memory);
   block.directives = directives_above(block.parsed.text, extent);
   if (is_ignored(block.directives)) {
     block.parsed.definitions.clear();
     block.parsed.diagnostics.clear();
   }
-  block.names = read_names(block.parsed, table);
+  block.names = read_names(block.parsed, table, memory);
   block.definitions.reserve(block.parsed.definitions.size());
   for (const DefinitionSyntax& definition : block.parsed.definitions) {
-    std::vector<NameId> mentioned = mentioned_names(block.parsed, definition, block.names);
-    if (block.mentions.empty()) {
-      block.mentions = std::move(mentioned);
-    } else {
-      block.mentions.insert(block.mentions.end(), mentioned.begin(), mentioned.end());
-    }
+    const SmallNameMap mentioned = mentioned_names(block.parsed, definition, block.names);
+    block.mentions.insert(block.mentions.end(), mentioned.names().begin(), mentioned.names().end());
     const NameId name = block.names.by_node[definition.name.value];
     block.definitions.push_back({name, static_cast<uint32_t>(block.mentions.size())});
   }

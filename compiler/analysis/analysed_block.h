@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <memory_resource>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -19,11 +20,15 @@ struct NamedDefinition {
 
 /// All that is known of a block alone: it is kept across edits as long as the block's bytes stay.
 struct AnalysedBlock {
+  /// Takes most of what it holds from `memory`, which has to outlive it.
+  explicit AnalysedBlock(std::pmr::memory_resource* memory)
+      : parsed(memory), names{std::pmr::vector<NameId>(memory)}, definitions(memory), mentions(memory) {}
+
   ParsedBlock parsed;
   BlockNames names;
   std::vector<Directive> directives;  ///< those right above it
-  std::vector<NamedDefinition> definitions;
-  std::vector<NameId> mentions;  ///< of all definitions, one after the other
+  std::pmr::vector<NamedDefinition> definitions;
+  std::pmr::vector<NameId> mentions;  ///< of all definitions, one after the other
 
   std::span<const NameId> mentions_of(uint32_t definition) const {
     const uint32_t begin = definition == 0 ? 0 : definitions[definition - 1].mentions_end;
@@ -34,6 +39,7 @@ struct AnalysedBlock {
   bool is_same(std::string_view text, const BlockExtent& extent) const;
 };
 
-AnalysedBlock analyse_block(std::string_view text, const BlockExtent& extent, NameTable& table);
+AnalysedBlock analyse_block(std::string_view text, const BlockExtent& extent, NameTable& table,
+                            std::pmr::memory_resource* memory);
 
 }  // namespace texbrdf

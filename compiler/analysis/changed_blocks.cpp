@@ -62,7 +62,7 @@ class Reader {
       working.analysed = same->analysed;
       working.definitions = same->definitions;
     } else {
-      working.analysed = analysed_.make(analyse_block(text, block.extent, *state_.names));
+      working.analysed = analysed_.make(analyse_block(text, block.extent, *state_.names, analysed_.memory()));
       working.definitions.resize(working.analysed->parsed.definitions.size());
       ++counters_.blocks_parsed;
     }

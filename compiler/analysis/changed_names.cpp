@@ -14,7 +14,7 @@ void make_unique(std::vector<NameId>& names) {
 
 std::vector<NameId> mentions_of(const AnalysedBlock* block) {
   if (block == nullptr) return {};
-  std::vector<NameId> names = block->mentions;
+  std::vector<NameId> names(block->mentions.begin(), block->mentions.end());
   make_unique(names);
   return names;
 }

@@ -5,6 +5,7 @@
 
 #include "semantics/conventions.h"
 #include "semantics/names.h"
+#include "semantics/small_name_map.h"
 #include "semantics/types.h"
 #include "syntax/parsed_block.h"
 
@@ -52,7 +53,6 @@ struct CheckedDefinition {
   std::vector<Type> types;
   std::vector<Referent> referents;
   std::vector<Diagnostic> diagnostics;  ///< spans relative to the block, Location::block not set
-  std::vector<NameId> mentioned;        ///< names that the body asked facts for, each once, in order of first use
   /// True where its value changes with a direction or an angle of the convention.
   bool directional = false;
   /// True where nothing in the definition is in error and all that it uses is usable: it can be lowered.
@@ -69,7 +69,6 @@ CheckedDefinition check_definition(const ParsedBlock& block, const DefinitionSyn
 
 /// The names that the definition's body mentions and that its parameters do not hide, each once, in order.
 /// Cheaper than checking: it gives the order in which to check.
-std::vector<NameId> mentioned_names(const ParsedBlock& block, const DefinitionSyntax& definition,
-                                    const BlockNames& names);
+SmallNameMap mentioned_names(const ParsedBlock& block, const DefinitionSyntax& definition, const BlockNames& names);
 
 }  // namespace texbrdf

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <memory_resource>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -73,10 +74,11 @@ class NameTable {
 
 /// The names of one block: by NodeId for Name nodes, invalid for all others.
 struct BlockNames {
-  std::vector<NameId> by_node;
+  std::pmr::vector<NameId> by_node;
 };
 
 /// Elements of a vector literal are no names: they must be numbers.
-BlockNames read_names(const ParsedBlock& block, NameTable& table);
+BlockNames read_names(const ParsedBlock& block, NameTable& table,
+                      std::pmr::memory_resource* memory = std::pmr::get_default_resource());
 
 }  // namespace texbrdf

@@ -46,8 +46,8 @@ void forget_elements(const SyntaxTree& tree, uint32_t literal, BlockNames& names
 
 }  // namespace
 
-BlockNames read_names(const ParsedBlock& block, NameTable& table) {
-  BlockNames names;
+BlockNames read_names(const ParsedBlock& block, NameTable& table, std::pmr::memory_resource* memory) {
+  BlockNames names{std::pmr::vector<NameId>(memory)};
   const std::span<const Node> nodes = block.tree.nodes();
   names.by_node.resize(nodes.size());
   for (uint32_t node = 0; node < nodes.size(); ++node) {

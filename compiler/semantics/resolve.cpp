@@ -35,7 +35,6 @@ class Resolver {
     for (uint32_t node = view_.body_begin(); node < view_.body_end(); ++node) {
       if (view_.node(NodeId{node}).kind == NodeKind::Name) read_name_node(NodeId{node});
     }
-    checked_.mentioned = mentioned_.take();
     return std::move(body_);
   }
 
@@ -83,7 +82,6 @@ class Resolver {
       refer(node, {Referent::Kind::Parameter, *position}, Type::Error, false);
       return;
     }
-    mentioned_.insert(name);
     if (const NameFact& fact = view_.facts.fact(name); fact.kind == NameFact::Kind::Defined) {
       checked_.directional = checked_.directional || fact.directional;
       refer(node, {Referent::Kind::Definition, name.value}, fact.signature.result, fact.signature.is_function);
@@ -173,7 +171,6 @@ class Resolver {
   ResolvedBody body_;
   SmallNameMap parameter_names_;
   std::vector<uint32_t> parameter_positions_;  // of each name's first parameter
-  SmallNameMap mentioned_;
   uint64_t comparison_steps_ = kMaxComparisonSteps;
 };
 
@@ -183,8 +180,7 @@ ResolvedBody resolve_names(const DefinitionView& view, CheckedDefinition& checke
   return Resolver(view, checked).run();
 }
 
-std::vector<NameId> mentioned_names(const ParsedBlock& block, const DefinitionSyntax& definition,
-                                    const BlockNames& names) {
+SmallNameMap mentioned_names(const ParsedBlock& block, const DefinitionSyntax& definition, const BlockNames& names) {
   SmallNameMap hidden;
   if (block.tree.node(definition.left).kind == NodeKind::Signature) {
     for (NodeId parameter : block.tree.children(definition.left).subspan(1)) {
@@ -197,7 +193,7 @@ std::vector<NameId> mentioned_names(const ParsedBlock& block, const DefinitionSy
     const NameId name = names.by_node[node];
     if (name.valid() && !hidden.find(name)) mentioned.insert(name);
   }
-  return mentioned.take();
+  return mentioned;
 }
 
 }  // namespace texbrdf

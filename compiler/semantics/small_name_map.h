@@ -1,7 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -14,36 +17,41 @@ namespace texbrdf {
 class SmallNameMap {
  public:
   std::optional<uint32_t> find(NameId name) const {
-    if (names_.size() > kFew) {
+    if (!many_.empty()) {
       const auto found = positions_.find(name.value);
       return found == positions_.end() ? std::nullopt : std::optional(found->second);
     }
-    for (uint32_t i = 0; i < names_.size(); ++i) {
-      if (names_[i] == name) return i;
-    }
-    return std::nullopt;
+    const auto found = std::find(few_.begin(), few_.begin() + count_, name);
+    return found == few_.begin() + count_ ? std::nullopt : std::optional(static_cast<uint32_t>(found - few_.begin()));
   }
 
   /// False where the name was there already.
   bool insert(NameId name) {
     if (find(name)) return false;
-    if (names_.empty()) names_.reserve(kUsual);
-    names_.push_back(name);
-    if (names_.size() == kFew + 1) {
-      for (uint32_t i = 0; i < names_.size(); ++i) positions_.emplace(names_[i].value, i);
-    } else if (names_.size() > kFew) {
-      positions_.emplace(name.value, static_cast<uint32_t>(names_.size() - 1));
+    if (count_ < few_.size()) {
+      few_[count_++] = name;
+    } else {
+      if (many_.empty()) hash_few();
+      add_to_many(name);
     }
     return true;
   }
 
-  const std::vector<NameId>& names() const { return names_; }
-  std::vector<NameId> take() { return std::move(names_); }
+  std::span<const NameId> names() const { return many_.empty() ? std::span(few_).first(count_) : std::span(many_); }
 
  private:
-  static constexpr size_t kUsual = 8;
-  static constexpr size_t kFew = 24;
-  std::vector<NameId> names_;
+  void hash_few() {
+    for (const NameId name : few_) add_to_many(name);
+  }
+
+  void add_to_many(NameId name) {
+    positions_.emplace(name.value, static_cast<uint32_t>(many_.size()));
+    many_.push_back(name);
+  }
+
+  std::array<NameId, 24> few_;
+  uint32_t count_ = 0;
+  std::vector<NameId> many_;  // all, once they are no longer few
   std::unordered_map<uint32_t, uint32_t> positions_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <memory_resource>
 #include <utility>
 
 namespace texbrdf {
@@ -18,10 +19,17 @@ class SharedPool {
   template <typename... Arguments>
   std::shared_ptr<T> make(Arguments&&... arguments) {
     if (chunk_size_ == 1) return std::make_shared<T>(std::forward<Arguments>(arguments)...);
-    if (!chunk_ || chunk_->used == chunk_size_) chunk_ = std::make_shared<Chunk>(chunk_size_);
+    open_chunk();
     T* const value = std::construct_at(chunk_->values + chunk_->used, std::forward<Arguments>(arguments)...);
     ++chunk_->used;
     return std::shared_ptr<T>(chunk_, value);
+  }
+
+  /// What the next value may hold its content in; it stays as long as the value and its neighbours.
+  std::pmr::memory_resource* memory() {
+    if (chunk_size_ == 1) return std::pmr::get_default_resource();
+    open_chunk();
+    return &chunk_->memory;
   }
 
  private:
@@ -37,10 +45,15 @@ class SharedPool {
       std::allocator<T>().deallocate(values, size);
     }
 
+    std::pmr::monotonic_buffer_resource memory;
     const size_t size;
     T* const values;
     size_t used = 0;
   };
+
+  void open_chunk() {
+    if (!chunk_ || chunk_->used == chunk_size_) chunk_ = std::make_shared<Chunk>(chunk_size_);
+  }
 
   size_t chunk_size_;
   std::shared_ptr<Chunk> chunk_;

@@ -75,7 +75,7 @@ class TokenBuffer {
     next_->span = {begin, end};
     ++next_;
   }
-  std::vector<Token> tokens() const { return {first_, next_}; }
+  std::pmr::vector<Token> tokens(std::pmr::memory_resource* memory) const { return {first_, next_, memory}; }
 
  private:
   struct Slots {
@@ -91,13 +91,17 @@ class TokenBuffer {
 
 class Lexer {
  public:
-  Lexer(std::string_view text, Span content)
-      : text_(text.substr(0, content.end)), at_(content.begin), buffer_(content.size() + size_t{1}) {}
+  Lexer(std::string_view text, Span content, std::pmr::memory_resource* memory)
+      : text_(text.substr(0, content.end)),
+        at_(content.begin),
+        memory_(memory),
+        buffer_(content.size() + size_t{1}),
+        comments_(memory) {}
 
   LexedContent run(Span end) {
     while (!done()) lex_one();
     push(TokenKind::End, end.begin, end.end);
-    return {buffer_.tokens(), std::move(comments_)};
+    return {buffer_.tokens(memory_), std::move(comments_)};
   }
 
  private:
@@ -276,8 +280,9 @@ class Lexer {
 
   std::string_view text_;
   uint32_t at_;
+  std::pmr::memory_resource* memory_;
   TokenBuffer buffer_;
-  std::vector<Span> comments_;
+  std::pmr::vector<Span> comments_;
   // Once one search has met the end in vain the block is broken; searching again and again would not be linear.
   bool an_open_group_was_met_ = false;
   bool an_open_environment_was_met_ = false;
@@ -285,8 +290,8 @@ class Lexer {
 
 }  // namespace
 
-LexedContent lex(std::string_view text, Span content, Span end) {
-  return Lexer(text, content).run(end);
+LexedContent lex(std::string_view text, Span content, Span end, std::pmr::memory_resource* memory) {
+  return Lexer(text, content, memory).run(end);
 }
 
 }  // namespace texbrdf

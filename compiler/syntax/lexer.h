@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory_resource>
 #include <string_view>
 #include <vector>
 
@@ -10,12 +11,13 @@
 namespace texbrdf {
 
 struct LexedContent {
-  std::vector<Token> tokens;   ///< closed by one End token with the span `end`
-  std::vector<Span> comments;  ///< `%` to the end of its line
+  std::pmr::vector<Token> tokens;   ///< closed by one End token with the span `end`
+  std::pmr::vector<Span> comments;  ///< `%` to the end of its line
 };
 
 /// Splits `content`, a part of `text`, into tokens. Never fails: what is outside the language becomes Unknown tokens of
 /// one code point, `\begin{…}` with its environment one Unknown token, `\text` without its group an Unknown token.
-LexedContent lex(std::string_view text, Span content, Span end);
+LexedContent lex(std::string_view text, Span content, Span end,
+                 std::pmr::memory_resource* memory = std::pmr::get_default_resource());
 
 }  // namespace texbrdf

@@ -37,8 +37,8 @@ void report_missing_end(ParsedBlock& block) {
 
 }  // namespace
 
-ParsedBlock parse_block(std::string_view text, const BlockExtent& extent) {
-  ParsedBlock block;
+ParsedBlock parse_block(std::string_view text, const BlockExtent& extent, std::pmr::memory_resource* memory) {
+  ParsedBlock block(memory);
   block.text = text;
   block.extent = extent;
   const bool closed = extent.ended_by == BlockEnd::Closed;
@@ -49,7 +49,7 @@ ParsedBlock parse_block(std::string_view text, const BlockExtent& extent) {
           make_diagnostic(Code::BlockTooLong, at_begin(block), {std::to_string(kMaxBlockBytes)}));
     }
   } else {
-    LexedContent content = lex(block.text, extent.content, extent.end);
+    LexedContent content = lex(block.text, extent.content, extent.end, memory);
     block.tokens = std::move(content.tokens);
     block.comments = std::move(content.comments);
     Parser(block, !closed).run();

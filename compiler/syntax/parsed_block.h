@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory_resource>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,12 +24,16 @@ struct DefinitionSyntax {
 
 /// All that a block's bytes say, without knowledge of any other block. Immutable; shared between snapshots.
 struct ParsedBlock {
-  std::string text;            ///< the block's own bytes: BlockExtent::whole
-  BlockExtent extent;          ///< as scanned; `whole` is then only good for its size
-  std::vector<Token> tokens;   ///< of the content, closed by one End token
-  std::vector<Span> comments;  ///< `%` to the end of the line, for `% range [0, 1]` and `% constant`
+  /// Takes what it holds from `memory`, which has to outlive it.
+  explicit ParsedBlock(std::pmr::memory_resource* memory)
+      : text(memory), tokens(memory), comments(memory), tree(memory), definitions(memory) {}
+
+  std::pmr::string text;            ///< the block's own bytes: BlockExtent::whole
+  BlockExtent extent;               ///< as scanned; `whole` is then only good for its size
+  std::pmr::vector<Token> tokens;   ///< of the content, closed by one End token
+  std::pmr::vector<Span> comments;  ///< `%` to the end of the line, for `% range [0, 1]` and `% constant`
   SyntaxTree tree;
-  std::vector<DefinitionSyntax> definitions;
+  std::pmr::vector<DefinitionSyntax> definitions;
   std::vector<Diagnostic> diagnostics;  ///< their Location::block is not set yet (0); spans are relative
 
   std::string_view slice(Span span) const { return std::string_view(text).substr(span.begin, span.size()); }
@@ -45,6 +50,7 @@ struct ParsedBlock {
 inline constexpr uint32_t kMaxBlockBytes = uint32_t{1} << 20;
 
 /// Lexes and parses one block. Never fails: what cannot be read becomes Error nodes and one diagnostic.
-ParsedBlock parse_block(std::string_view text, const BlockExtent& extent);
+ParsedBlock parse_block(std::string_view text, const BlockExtent& extent,
+                        std::pmr::memory_resource* memory = std::pmr::get_default_resource());
 
 }  // namespace texbrdf

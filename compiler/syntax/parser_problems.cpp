@@ -102,7 +102,7 @@ void Parser::report_brackets() {
   if (faults_.unclosed.empty() && faults_.ignored_closers.empty()) return;
   brackets_are_broken_ = true;
   had_error_ = true;
-  mended_ = block_.tokens;
+  mended_.assign(block_.tokens.begin(), block_.tokens.end());
   for (const uint32_t closer : faults_.ignored_closers) mended_[closer].kind = TokenKind::Ampersand;
   tokens_ = mended_.data();
   if (silent_) return;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory_resource>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,8 @@ inline constexpr uint32_t kMaxTreeHeight = 1000;
 /// mean nothing). Holds no names and no types; later stages keep side tables by NodeId.
 class SyntaxTree {
  public:
+  explicit SyntaxTree(std::pmr::memory_resource* memory) : nodes_(memory), children_(memory) {}
+
   std::span<const Node> nodes() const { return nodes_; }
   const Node& node(NodeId id) const { return nodes_[id.value]; }
   std::span<const NodeId> children(NodeId id) const {
@@ -64,8 +67,8 @@ class SyntaxTree {
   void set_kind(NodeId id, NodeKind kind) { nodes_[id.value].kind = kind; }
 
  private:
-  std::vector<Node> nodes_;
-  std::vector<NodeId> children_;
+  std::pmr::vector<Node> nodes_;
+  std::pmr::vector<NodeId> children_;
 };
 
 }  // namespace texbrdf

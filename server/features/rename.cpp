@@ -64,7 +64,7 @@ class Conflicts {
     const CheckedParameter& parameter = checked.parameters[renamed_.referent.index];
     const std::string of = function_name(renamed_.inside);
     if (has_parameter(renamed_.inside)) return fmt::format("`{}` has another parameter `{}`", of, new_.canonical);
-    if (new_id_.valid() && std::ranges::find(checked.mentioned, new_id_) != checked.mentioned.end()) {
+    if (new_id_.valid() && mentions(function, new_id_)) {
       return fmt::format("`{}` is used in `{}`, where the parameter would hide it", new_.canonical, of);
     }
     for (const Referent& referent : checked.referents) {
@@ -78,6 +78,12 @@ class Conflicts {
   }
 
  private:
+  bool mentions(const Definition& definition, NameId name) const {
+    const ParsedBlock& parsed = snapshot_.parsed(definition.block);
+    const DefinitionSyntax& syntax = parsed.definitions[definition.index_in_block];
+    return mentioned_names(parsed, syntax, snapshot_.names_of(definition.block)).find(name).has_value();
+  }
+
   /// The spelling of a parameter says whether it is a vector, or that its uses say so.
   std::string of_type(const CheckedParameter& parameter) const {
     const bool was_spelled = snapshot_.names().traits(parameter.name).is_vector;

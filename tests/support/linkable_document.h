@@ -79,7 +79,7 @@ class LinkableDocument {
 
   std::vector<uint32_t> mentioned(const Source& source) const {
     std::vector<uint32_t> indices;
-    for (const NameId name : mentioned_names(*source.block, *source.syntax, source.names)) {
+    for (const NameId name : mentioned_names(*source.block, *source.syntax, source.names).names()) {
       if (const auto found = by_name_.find(name); found != by_name_.end()) indices.push_back(found->second);
     }
     return indices;
@@ -88,7 +88,7 @@ class LinkableDocument {
   void lower(const Source& source) {
     const ParsedBlock& block = *source.block;
     const CheckedDefinition checked = check_definition(block, *source.syntax, source.names, table_, facts_);
-    if (!checked.usable) throw std::runtime_error("in error: " + block.text);
+    if (!checked.usable) throw std::runtime_error("in error: " + std::string(block.text));
     facts_.known[source.name()] = {.kind = NameFact::Kind::Defined, .signature = checked.signature};
     std::vector<Diagnostic> ignored;
     ir::LinkableDefinition definition{.id = source.name(),

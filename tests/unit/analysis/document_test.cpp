@@ -110,7 +110,6 @@ std::string everything_of(const Snapshot& snapshot) {
     const Definition& definition = snapshot.definition(DefinitionId{i});
     all += std::string(snapshot.names().text(definition.name)) + ": " + signature_text(definition.checked->signature);
     for (Type type : definition.checked->types) all += type_symbol(type);
-    for (NameId name : definition.checked->mentioned) all += " " + std::string(snapshot.names().text(name));
     all += (definition.in_force ? " in force " : " later ") + snapshot.equation(DefinitionId{i}) + "\n";
   }
   return all;

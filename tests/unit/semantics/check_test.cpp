@@ -310,10 +310,26 @@ TEST(CheckDefinition, GivesUpOnAPuzzleOfManyParameters) {
   EXPECT_FALSE(text.last().diagnostics.empty());
 }
 
-TEST(CheckDefinition, MentionsEachNameOnce) {
-  const test::CheckedText text({"a = 1", "g(x) = a + x * a + \\pi"});
-  EXPECT_EQ(text.last().mentioned.size(), 2u);
-  EXPECT_EQ(text.names().text(text.last().mentioned[0]), "a");
+TEST(MentionedNames, AreThoseOfTheBodyThatNoParameterHidesEachOnce) {
+  const std::string text = "\\begin{equation}g(x) = a + x * a + b\n\\end{equation}";
+  const ParsedBlock block = parse_block(text, scan_blocks(text).at(0));
+  NameTable table;
+  const BlockNames names = read_names(block, table);
+  std::string mentioned;
+  for (const NameId name : mentioned_names(block, block.definitions.at(0), names).names())
+    mentioned += table.text(name);
+  EXPECT_EQ(mentioned, "ab");
+}
+
+TEST(SmallNameMap, FindsFewNamesAndMany) {
+  SmallNameMap map;
+  for (uint32_t i = 0; i < 100; ++i) {
+    EXPECT_FALSE(map.find(NameId{3 * i}));
+    EXPECT_TRUE(map.insert(NameId{3 * i}));
+    EXPECT_FALSE(map.insert(NameId{3 * i}));
+    EXPECT_EQ(map.names().size(), i + 1);
+    for (uint32_t j = 0; j <= i; ++j) ASSERT_EQ(map.find(NameId{3 * j}), j);
+  }
 }
 
 }  // namespace

@@ -169,7 +169,7 @@ TEST(ParserProblemNotes, name_both_readings_of_a_power) {
 }
 
 std::string apply(const ParsedBlock& block, const Fix& fix) {
-  std::string text = block.text;
+  std::string text(block.text);
   for (auto edit = fix.edits.rbegin(); edit != fix.edits.rend(); ++edit) {
     text.replace(edit->where.span.begin, edit->where.span.size(), edit->replacement);
   }

@@ -47,7 +47,7 @@ TEST(TreeLayout, has_no_overlapping_boxes_on_random_trees) {
   test::Random random(5);
   for (int round = 0; round < 300; ++round) {
     // Nodes wait for a parent; a new node takes some of the last ones.
-    SyntaxTree tree;
+    SyntaxTree tree(std::pmr::get_default_resource());
     std::vector<NodeId> waiting;
     const size_t nodes = 1 + random.below(200);
     const size_t most_children = 1 + random.below(6);
