@@ -147,7 +147,8 @@ class Rescanner {
   }
 
   BlockLabel next_label() const {
-    const uint32_t blocks = (behind_ < old_.size() ? old_.at(behind_).before : old_.measure()).blocks;
+    if (behind_ == old_.size()) return kLastLabel;
+    const uint32_t blocks = old_.at(behind_).before.blocks;
     const auto next = old_.find([blocks](const Segment::Measure& sum) { return sum.blocks > blocks; });
     return next.item == nullptr ? kLastLabel : next.item->block->label;
   }

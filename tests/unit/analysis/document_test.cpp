@@ -45,6 +45,13 @@ std::string ladder(int steps) {
   return equations(bodies);
 }
 
+TEST(Document, TakesAnEquationBehindTheLast) {
+  Document document(equations({"f = a"}));
+  document.replace({UINT32_MAX, UINT32_MAX}, equations({"a = 1", "b = 2"}));
+  EXPECT_EQ(document.snapshot().blocks().size(), 3u);
+  EXPECT_FALSE(document.snapshot().has_errors());
+}
+
 TEST(Document, ADigitRechecksOneDefinition) {
   Document document(ladder(1000));
   EXPECT_EQ(document.snapshot().counters().blocks_parsed, 1001u);
