@@ -34,6 +34,16 @@ OpenDocument* Documents::find_path(std::string_view path) {
   return nullptr;
 }
 
+void Documents::start_anew() {
+  projects_.start_anew();
+  for (auto& [uri, document] : documents_) {
+    document.shown_state = 0;
+    document.semantic_tokens = {};
+    document.symbols = {};
+    document.name_index = {};
+  }
+}
+
 OpenDocument* Documents::next_unpublished() {
   for (auto& [uri, document] : documents_) {
     if (!document.published) return &document;

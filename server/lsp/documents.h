@@ -48,6 +48,8 @@ class Documents {
   OpenDocument* find_path(std::string_view path);
 
   Projects& projects() { return projects_; }
+  /// Forms all that is known of the documents anew from their texts.
+  void start_anew();
 
  private:
   Projects projects_;

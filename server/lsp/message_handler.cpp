@@ -13,6 +13,8 @@ namespace texbrdf::lsp {
 namespace {
 
 constexpr std::size_t kTracedBytes = 2000;
+/// After so many faults nothing is tried until the next message.
+constexpr int kMaxFaults = 8;
 
 class Stopwatch {
  public:
@@ -33,6 +35,7 @@ std::string_view last_part(std::string_view method) {
 
 void MessageHandler::handle(const MessageQueue::Entry& entry) {
   const IncomingMessage& message = entry.message;
+  faults_ = 0;
   switch (message.kind) {
     case IncomingMessage::Kind::Request:
       ++session_.traffic().requests;
@@ -93,7 +96,7 @@ std::optional<ResponseError> MessageHandler::answer(const IncomingMessage& messa
     const Progress progress(session_.outbox(), work_done_token(*message.params), last_part(message.method));
     return (*handler)(*message.params, result);
   } catch (const std::exception& fault) {
-    log_.error(fmt::format("internal error in {}: {}", message.method, fault.what()));
+    recover(message.method, fault);
     return ResponseError{ErrorCode::InternalError, fault.what()};
   }
 }
@@ -110,7 +113,7 @@ void MessageHandler::handle_notification(const IncomingMessage& message) {
     const std::string problem = (*handler)(*message.params);
     if (!problem.empty()) log_.error(fmt::format("{} is ignored: {}", message.method, problem));
   } catch (const std::exception& fault) {
-    log_.error(fmt::format("internal error in {}: {}", message.method, fault.what()));
+    recover(message.method, fault);
   }
   log_.debug(fmt::format("{}: {:.3f} ms", message.method, watch.milliseconds()));
 }
@@ -119,7 +122,17 @@ void MessageHandler::handle_response(const IncomingMessage& message) {
   try {
     session_.outbox().take_reply(message);
   } catch (const std::exception& fault) {
-    log_.error(fmt::format("internal error in the reply {}: {}", message.id, fault.what()));
+    recover("the reply " + message.id, fault);
+  }
+}
+
+bool MessageHandler::has_publications() {
+  if (is_resting()) return false;
+  try {
+    return session_.has_publications();
+  } catch (const std::exception& fault) {
+    recover("the projects", fault);
+    return false;
   }
 }
 
@@ -133,9 +146,29 @@ void MessageHandler::publish_next() {
     ++session_.traffic().published;
     send(notification.take());
   } catch (const std::exception& fault) {
-    log_.error(fmt::format("internal error in diagnostics: {}", fault.what()));
+    recover("diagnostics", fault);
   }
   log_.debug(fmt::format("textDocument/publishDiagnostics: {:.3f} ms", watch.milliseconds()));
+}
+
+void MessageHandler::prepare_for_edits() {
+  if (is_resting()) return;
+  try {
+    session_.prepare_for_edits();
+  } catch (const std::exception& fault) {
+    recover("preparation for edits", fault);
+  }
+}
+
+/// What was published may have been wrong already. A fault that comes again is one of the texts as they are.
+void MessageHandler::recover(std::string_view where, const std::exception& fault) {
+  log_.error(fmt::format("internal error in {}: {}", where, fault.what()));
+  session_.start_anew();
+  if (++faults_ == 1) session_.publish_anew();
+}
+
+bool MessageHandler::is_resting() const {
+  return faults_ >= kMaxFaults;
 }
 
 void MessageHandler::send(std::string body) {

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <exception>
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "lsp/dispatcher.h"
 #include "lsp/json_rpc.h"
@@ -12,8 +15,8 @@
 
 namespace texbrdf::lsp {
 
-/// Answers one message after the other by the rules of JSON-RPC and of the protocol's phases. A fault of ours in a
-/// handler becomes an error reply and a line of the log.
+/// Answers one message after the other by the rules of JSON-RPC and of the protocol's phases. A fault of ours becomes
+/// an error reply and a line of the log, and what is known of the documents is formed anew from their texts.
 class MessageHandler {
  public:
   using Send = std::function<void(std::string body)>;
@@ -27,8 +30,11 @@ class MessageHandler {
   MessageHandler& operator=(const MessageHandler&) = delete;
 
   void handle(const MessageQueue::Entry& entry);
+  bool has_publications();
   /// Sends the diagnostics of one document that the client lacks.
   void publish_next();
+  /// While there is nothing else to do.
+  void prepare_for_edits();
 
  private:
   void handle_request(const IncomingMessage& message, bool cancelled);
@@ -36,6 +42,8 @@ class MessageHandler {
   void handle_response(const IncomingMessage& message);
   std::optional<ResponseError> refusal(const IncomingMessage& message, bool cancelled) const;
   std::optional<ResponseError> answer(const IncomingMessage& message, JsonWriter& result);
+  void recover(std::string_view where, const std::exception& fault);
+  bool is_resting() const;
   void send(std::string body);
   void reply_error(const IncomingMessage& message, const ResponseError& error);
 
@@ -43,6 +51,7 @@ class MessageHandler {
   const Dispatcher& methods_;
   Log& log_;
   Send send_;
+  int faults_ = 0;  ///< since the last message came
 };
 
 }  // namespace texbrdf::lsp

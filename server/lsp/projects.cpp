@@ -63,13 +63,8 @@ void Projects::set_folders(std::span<const std::string> paths) {
 
 Buffer& Projects::open(std::string path, SourceText text) {
   buffers_.push_back(std::make_unique<Buffer>(Buffer{std::move(path), std::move(text), nullptr, {}}));
-  Buffer& buffer = *buffers_.back();
-  // The buffer's text takes the place of that on the disk.
-  for (const auto& project : projects_) {
-    if (const auto file = project->find(buffer.path)) project->document.set_text(*file, buffer.text.bytes());
-  }
   is_settled_ = false;
-  return buffer;
+  return *buffers_.back();
 }
 
 void Projects::close(Buffer& buffer) {
@@ -88,15 +83,19 @@ void Projects::replace(Buffer& buffer, Span span, std::string_view replacement) 
   const bool may_name_root = begin < kHeadBytes && !folders_.empty();
   const std::string head = may_name_root ? head_of(buffer.text) : std::string();
   buffer.text = buffer.text.with({begin, end}, replacement);
-  for (const auto& project : projects_) {
-    const bool is_home = project.get() == buffer.home;
-    const std::optional<FileId> file = is_home ? buffer.file : project->find(buffer.path);
-    if (!file) continue;
-    project->document.replace(*file, {begin, end}, replacement);
-    const bool includes_others = project->document.includes(*file) != project->includes[file->value];
-    if (includes_others) is_settled_ = false;
-  }
+  if (!buffer.is_new) buffer.edits.push_back({{begin, end}, std::string(replacement)});
   if (may_name_root && read_root_comment(head) != read_root_comment(head_of(buffer.text))) is_settled_ = false;
+}
+
+void Projects::start_anew() {
+  projects_.clear();
+  known_.clear();
+  for (const auto& buffer : buffers_) {
+    buffer->home = nullptr;
+    buffer->is_new = false;
+    buffer->edits.clear();
+  }
+  disk_changed();
 }
 
 void Projects::disk_changed() {
@@ -135,6 +134,27 @@ std::optional<SourceText> Projects::text(const std::string& path) {
   return SourceText(*bytes);
 }
 
+void Projects::take_texts(Buffer& buffer) {
+  for (const features::TextEdit& edit : buffer.edits) take_edit(buffer, edit);
+  buffer.edits.clear();
+  if (!buffer.is_new) return;
+  for (const auto& project : projects_) {
+    if (const auto file = project->find(buffer.path)) project->document.set_text(*file, buffer.text.bytes());
+  }
+  buffer.is_new = false;
+}
+
+void Projects::take_edit(const Buffer& buffer, const features::TextEdit& edit) {
+  for (const auto& project : projects_) {
+    const bool is_home = project.get() == buffer.home;
+    const std::optional<FileId> file = is_home ? buffer.file : project->find(buffer.path);
+    if (!file) continue;
+    project->document.replace(*file, edit.span, edit.text);
+    const bool includes_others = project->document.includes(*file) != project->includes[file->value];
+    if (includes_others) is_settled_ = false;
+  }
+}
+
 void Projects::look_at_disk() {
   const auto now = std::chrono::steady_clock::now();
   if (looked_ != std::chrono::steady_clock::time_point{} && now - looked_ < kLookAgain) return;
@@ -159,6 +179,7 @@ void Projects::reread_changed(Project& project) {
 }
 
 void Projects::settle() {
+  for (const auto& buffer : buffers_) take_texts(*buffer);
   if (is_settled_) return;
   look_at_disk();
   is_settled_ = true;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analysis/document.h"
+#include "features/text_edit.h"
 #include "lsp/file_source.h"
 
 namespace texbrdf::lsp {
@@ -29,7 +30,9 @@ struct Buffer {
   std::string path;  ///< real; the URI where it is no file
   SourceText text;
   Project* home = nullptr;
-  FileId file;  ///< in its home
+  FileId file;                                 ///< in its home
+  bool is_new = true;                          ///< projects that have the file have its text on the disk
+  std::vector<features::TextEdit> edits = {};  ///< that no project has made yet
 };
 
 /// Keeps the projects of the open documents. What the client has open is never read from the disk.
@@ -41,13 +44,15 @@ class Projects final : public FileSource {
   Buffer& open(std::string path, SourceText text);
   void close(Buffer& buffer);
   void replace(Buffer& buffer, Span span, std::string_view replacement);
+  /// Drops all that was found out about the texts. They themselves cannot be lost to a fault in finding it out.
+  void start_anew();
   /// Files may have come, gone or changed.
   void disk_changed();
 
   const Snapshot& snapshot(Buffer& buffer);
   /// Of a file of the project.
   const Buffer* find_buffer(std::string_view path) const;
-  /// Gives each buffer its home.
+  /// Brings the projects up to the texts, and gives each buffer its home.
   void settle();
   /// The last state of a project that was given out.
   uint64_t last_state() const { return last_state_; }
@@ -57,6 +62,8 @@ class Projects final : public FileSource {
   std::optional<SourceText> text(const std::string& path) override;
 
  private:
+  void take_texts(Buffer& buffer);
+  void take_edit(const Buffer& buffer, const features::TextEdit& edit);
   void look_at_disk();
   void reread_changed(Project& project);
   void follow(Project& project);

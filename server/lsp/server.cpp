@@ -58,11 +58,11 @@ class Server {
 /// Messages that are there already come before diagnostics, so that a burst of edits ends in few publications.
 int Server::run() {
   while (session_.phase() != Session::Phase::Exited) {
-    const bool idle = queue_.empty() && !session_.has_publications();
-    if (idle) session_.prepare_for_edits();
+    const bool idle = queue_.empty() && !handler_.has_publications();
+    if (idle) handler_.prepare_for_edits();
     const Channel::Status status = queue_.receive(idle ? kProcessCheckMs : 0);
-    if (!session_.has_publications()) messages_since_publication_ = 0;
-    if (session_.has_publications() &&
+    if (!handler_.has_publications()) messages_since_publication_ = 0;
+    if (handler_.has_publications() &&
         (queue_.empty() || messages_since_publication_ >= kMaxMessagesBetweenPublications)) {
       handler_.publish_next();
     } else if (!queue_.empty()) {

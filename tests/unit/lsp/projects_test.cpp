@@ -96,6 +96,23 @@ TEST_F(ProjectsTest, AFileOfTwoProjectsIsTheSameInBoth) {
   EXPECT_TRUE(is_right(second));
 }
 
+TEST_F(ProjectsTest, WhatAFaultLeftBehindIsFormedAnewFromTheTexts) {
+  write("part.tex", definition("m = 2"));
+  Buffer& main = open("main.tex", kMain);
+  Buffer& late = open("late.tex", definition("x = "));
+  EXPECT_TRUE(is_right(main));
+  projects_.replace(main, {0, 0}, "\\input{late}" + definition("q = "));
+  projects_.replace(late, {20, 20}, "1");
+  main.home->document.set_text(FileId{1}, definition("m = "));
+  projects_.start_anew();
+  EXPECT_FALSE(is_right(main));
+  EXPECT_EQ(main.home->paths, (std::vector{path("main.tex"), path("late.tex"), path("part.tex")}));
+  EXPECT_EQ(late.home, main.home);
+  EXPECT_EQ(projects_.snapshot(late).text().bytes(), definition("x = 1"));
+  projects_.replace(main, {11, 11 + 34}, "");
+  EXPECT_TRUE(is_right(main)) << main.text.bytes();
+}
+
 TEST_F(ProjectsTest, NothingOutsideTheFoldersIsRead) {
   projects_.set_folders({});
   write("part.tex", definition("m = 2"));
