@@ -1,7 +1,8 @@
 #include "analysis/directive.h"
 
 #include <algorithm>
-#include <array>
+
+#include "semantics/names.h"
 
 namespace texbrdf {
 namespace {
@@ -24,6 +25,10 @@ Directive::Kind kind_of(std::string_view word) {
 
 }  // namespace
 
+std::string root_of(const Directive& directive) {
+  return canonical_name(directive.argument).value_or(directive.argument);
+}
+
 std::optional<Directive> read_directive(std::string_view comment, Span span) {
   if (!comment.starts_with('%')) return std::nullopt;
   std::string_view rest = trimmed(comment.substr(1));
@@ -32,7 +37,9 @@ std::optional<Directive> read_directive(std::string_view comment, Span span) {
   const size_t word_end = std::min(rest.find_first_of(" \t="), rest.size());
   std::string_view argument = trimmed(rest.substr(word_end));
   if (argument.starts_with('=')) argument = trimmed(argument.substr(1));
-  Directive directive{kind_of(rest.substr(0, word_end)), std::string(argument), span};
+  const auto at = span.begin + static_cast<uint32_t>(argument.data() - comment.data());
+  Directive directive{kind_of(rest.substr(0, word_end)), std::string(argument), span, {at, at}};
+  directive.argument_span.end += static_cast<uint32_t>(argument.size());
   const bool needs_argument = directive.kind == Directive::Kind::Root || directive.kind == Directive::Kind::Allow;
   if (needs_argument == argument.empty()) directive.kind = Directive::Kind::Unknown;
   return directive;

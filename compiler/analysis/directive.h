@@ -21,7 +21,11 @@ struct Directive {
   Kind kind = Kind::Unknown;
   std::string argument;  ///< the name as it is written, or the code
   Span span;             ///< of the comment, relative to its part of the document
+  Span argument_span;    ///< likewise
 };
+
+/// The canonical name of a Root.
+std::string root_of(const Directive& directive);
 
 /// `comment` is from the `%` to the end of the line; nothing where it does not begin with `% texbrdf:`.
 std::optional<Directive> read_directive(std::string_view comment, Span span);

@@ -35,8 +35,7 @@ class RootSearch {
   void read(std::span<const Directive> directives) {
     choice_.has_directives = true;
     for (const Directive& directive : directives) {
-      if (directive.kind == Directive::Kind::Root && choice_.name.empty())
-        choice_.name = canonical_name(directive.argument).value_or(directive.argument);
+      if (directive.kind == Directive::Kind::Root && choice_.name.empty()) choice_.name = root_of(directive);
     }
   }
 

@@ -171,6 +171,21 @@ std::string Snapshot::root_name() const {
   return state_->root.name.empty() ? "f" : state_->root.name;
 }
 
+std::vector<RootDirective> Snapshot::root_directives() const {
+  std::vector<RootDirective> found;
+  state_->segments.visit_where([](const Segment::Measure& sum) { return sum.directives > 0; },
+                               [&](const Segment& segment, const Segment::Measure& before) {
+                                 for (const Directive& directive : directives_of(segment)) {
+                                   if (directive.kind != Directive::Kind::Root) continue;
+                                   const Span name = directive.argument_span;
+                                   const uint32_t begin = state_->view.offset(before.bytes + name.begin);
+                                   found.push_back({root_of(directive), {begin, begin + name.size()}});
+                                 }
+                                 return true;
+                               });
+  return found;
+}
+
 bool Snapshot::is_ours() const {
   return state_->root.has_directives || !state_->root.name.empty();
 }

@@ -76,6 +76,12 @@ struct Occurrence {
   bool is_definition = false;  ///< it stands on the left side (the defined name, or a parameter's declaration)
 };
 
+/// NAME of a comment `% texbrdf: root = NAME`.
+struct RootDirective {
+  std::string name;  ///< canonical
+  Span span;         ///< absolute
+};
+
 class Snapshot;
 
 /// The blocks or the definitions of a Snapshot in document order, given out one by one.
@@ -146,6 +152,8 @@ class Snapshot {
   /// The canonical name of the definition that is the BRDF: the one that `% texbrdf: root = …` names, else the one that
   /// looks like it (root_choice.h); `f` where there is none.
   std::string root_name() const;
+  /// All that stand in the document; the first one counts.
+  std::vector<RootDirective> root_directives() const;
   /// False where nothing in the document looks like a BRDF and no comment `% texbrdf:` stands in it.
   bool is_ours() const;
 

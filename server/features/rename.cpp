@@ -18,6 +18,30 @@ std::string text_of(const Snapshot& snapshot, NameId name) {
   return shown_name(snapshot.names().text(name));
 }
 
+Occurrence occurrence_in(const RootDirective& directive, const Snapshot& snapshot, DefinitionId meant) {
+  const Definition definition = snapshot.definition(meant);
+  return {.span = directive.span,
+          .node = snapshot.syntax(meant).name,
+          .block = definition.block,
+          .name = definition.name,
+          .inside = meant,
+          .referent = {Referent::Kind::Definition, definition.name.value},
+          .target = meant,
+          .is_definition = true};
+}
+
+/// The name at the offset, which may also be that of the root in an instruction.
+std::optional<Occurrence> name_at(const Snapshot& snapshot, uint32_t offset) {
+  if (const auto occurrence = snapshot.occurrence_at(offset)) return occurrence;
+  for (const RootDirective& directive : snapshot.root_directives()) {
+    if (offset < directive.span.begin || offset > directive.span.end) continue;
+    const auto definition = snapshot.find(directive.name);
+    if (!definition) return std::nullopt;
+    return occurrence_in(directive, snapshot, *definition);
+  }
+  return std::nullopt;
+}
+
 /// Why the name keeps its name whatever the new one; empty where it need not.
 std::string refusal(const Snapshot& snapshot, const Occurrence& occurrence) {
   const std::string name = text_of(snapshot, occurrence.name);
@@ -54,8 +78,13 @@ class Conflicts {
     Occurrence undefined;
     undefined.name = new_id_;
     const std::vector<Occurrence> uses = snapshot_.occurrences_of(undefined);
-    if (uses.empty()) return {};
-    return fmt::format("`{}` stands on {}, and would then mean this", new_.canonical, line(uses.front().span));
+    return uses.empty() ? std::string() : meant_then(uses.front().span);
+  }
+
+  std::string of_root() const {
+    const std::vector<RootDirective> directives = snapshot_.root_directives();
+    const auto named = std::ranges::find(directives, new_.canonical, &RootDirective::name);
+    return named == directives.end() ? std::string() : meant_then(named->span);
   }
 
   std::string of_parameter() const {
@@ -103,6 +132,9 @@ class Conflicts {
     return std::ranges::find(definition.checked->parameters, new_id_, &CheckedParameter::name) !=
            definition.checked->parameters.end();
   }
+  std::string meant_then(Span place) const {
+    return fmt::format("`{}` stands on {}, and would then mean this", new_.canonical, line(place));
+  }
   std::string function_name(DefinitionId id) const { return text_of(snapshot_, snapshot_.definition(id).name); }
   std::string line(Span span) const { return line_name(snapshot_, span.begin); }
 
@@ -112,7 +144,8 @@ class Conflicts {
   NameId new_id_;
 };
 
-std::vector<TextEdit> edits(const Snapshot& snapshot, std::span<const Occurrence> places, std::string_view name) {
+std::vector<TextEdit> edits_in_equations(const Snapshot& snapshot, std::span<const Occurrence> places,
+                                         std::string_view name) {
   std::vector<TextEdit> result;
   result.reserve(places.size());
   for (const Occurrence& place : places) {
@@ -120,6 +153,27 @@ std::vector<TextEdit> edits(const Snapshot& snapshot, std::span<const Occurrence
     if (block.node_text(place.node) == name) continue;
     result.push_back({place.span, spelled_in_place(block, place.node, name)});
   }
+  return result;
+}
+
+/// In document order.
+void sort_by_place(const Snapshot& snapshot, std::vector<TextEdit>& edits) {
+  std::ranges::sort(edits, {}, [&](const TextEdit& edit) {
+    const FilePlace place = snapshot.place(edit.span);
+    return std::pair(place.file, place.span.begin);
+  });
+}
+
+std::vector<TextEdit> edits_of_definition(const Snapshot& snapshot, std::span<const Occurrence> places,
+                                          std::string_view old_name, std::string_view name) {
+  std::vector<TextEdit> result = edits_in_equations(snapshot, places, name);
+  const std::size_t in_equations = result.size();
+  for (const RootDirective& directive : snapshot.root_directives()) {
+    const FilePlace place = snapshot.place(directive.span);
+    if (directive.name != old_name || snapshot.text(place.file).slice(place.span) == name) continue;
+    result.push_back({directive.span, std::string(name)});
+  }
+  if (result.size() > in_equations) sort_by_place(snapshot, result);
   return result;
 }
 
@@ -169,34 +223,36 @@ std::string root_conflict(const Snapshot& snapshot, std::string_view old_name, s
 }  // namespace
 
 Result<std::optional<RenameTarget>> renamable_at(const Snapshot& snapshot, uint32_t offset) {
-  const auto occurrence = snapshot.occurrence_at(offset);
+  const auto occurrence = name_at(snapshot, offset);
   if (!occurrence) return std::optional<RenameTarget>{};
   if (std::string reason = refusal(snapshot, *occurrence); !reason.empty()) return Failure{std::move(reason)};
-  const std::string_view text = snapshot.parsed(occurrence->block).node_text(occurrence->node);
-  return std::optional(RenameTarget{occurrence->span, std::string(text)});
+  return std::optional(RenameTarget{occurrence->span, snapshot.text().slice(occurrence->span)});
 }
 
 Result<std::vector<TextEdit>> rename(const Snapshot& snapshot, uint32_t offset, std::string_view new_name) {
-  const auto occurrence = snapshot.occurrence_at(offset);
+  const auto occurrence = name_at(snapshot, offset);
   if (!occurrence) return Failure{"no name stands here"};
   if (std::string reason = refusal(snapshot, *occurrence); !reason.empty()) return Failure{std::move(reason)};
   const Result<NewName> read = read_new_name(new_name);
   if (!read) return Failure{read.error()};
-  const std::vector<Occurrence> places = snapshot.occurrences_of(*occurrence);
-  std::vector<TextEdit> result = edits(snapshot, places, read->text);
   const NameId new_id = snapshot.names().find(read->canonical);
-  if (new_id == occurrence->name) return result;
+  const bool is_same_name = new_id == occurrence->name;
   const Conflicts conflicts(snapshot, *occurrence, *read, new_id);
-  std::string conflict;
+  const std::vector<Occurrence> places = snapshot.occurrences_of(*occurrence);
   if (occurrence->referent.kind == Referent::Kind::Parameter) {
-    conflict = conflicts.of_parameter();
-  } else {
-    conflict = conflicts.of_definition(places);
-    const std::string_view old_name = snapshot.names().text(occurrence->name);
-    if (conflict.empty()) conflict = root_conflict(snapshot, old_name, read->canonical, result);
+    if (std::string conflict = is_same_name ? "" : conflicts.of_parameter(); !conflict.empty()) {
+      return Failure{std::move(conflict)};
+    }
+    return edits_in_equations(snapshot, places, read->text);
   }
+  const std::string_view old_name = snapshot.names().text(occurrence->name);
+  std::vector<TextEdit> edits = edits_of_definition(snapshot, places, old_name, read->text);
+  if (is_same_name) return edits;
+  std::string conflict = conflicts.of_definition(places);
+  if (conflict.empty()) conflict = conflicts.of_root();
+  if (conflict.empty()) conflict = root_conflict(snapshot, old_name, read->canonical, edits);
   if (!conflict.empty()) return Failure{std::move(conflict)};
-  return result;
+  return edits;
 }
 
 }  // namespace texbrdf::features

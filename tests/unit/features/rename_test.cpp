@@ -175,6 +175,28 @@ TEST(Rename, TheBrdfStaysTheSame) {
             "refused: `f` would no longer be the BRDF");
 }
 
+TEST(Rename, AnInstructionThatNamesTheRootIsEdited) {
+  const std::string above = "%texbrdf:root=g_{1}  \n";
+  EXPECT_EQ(renamed(above + equation("@g_1 = \\theta_i"), "h"), "%texbrdf:root=h  \n" + equation("h = \\theta_i"));
+  EXPECT_EQ(renamed("% texbrdf: root = @g\r\n\r\n" + equation("f = g") + equation("g = 1"), "\\rho_d"),
+            "% texbrdf: root = \\rho_d\r\n\r\n" + equation("f = \\rho_d") + equation("\\rho_d = 1"));
+  EXPECT_EQ(renamed("% texbrdf: root = g@\n\n" + equation("g = 1") + "% texbrdf: root = g", "h"),
+            "% texbrdf: root = h\n\n" + equation("h = 1") + "% texbrdf: root = h");
+  EXPECT_EQ(renamed(above + equation("@g_1 = 1"), "g_{1}"), above + equation("g_{1} = 1"));
+  EXPECT_EQ(renamed("% texbrdf: root = g\n\n" + equation("g = a") + equation("@a = 1"), "b"),
+            "% texbrdf: root = g\n\n" + equation("g = b") + equation("b = 1"));
+  EXPECT_EQ(renamed("% texbrdf: root = x\n\n" + equation("f(@x) = x"), "y"),
+            "% texbrdf: root = x\n\n" + equation("f(y) = y"));
+}
+
+TEST(Rename, WhatAnInstructionNamesIsNotDefinedByIt) {
+  EXPECT_EQ(renamed("% texbrdf: root = zz\n\n" + equation("@a = 1"), "zz"),
+            "refused: `zz` stands on line 1, and would then mean this");
+  EXPECT_EQ(renamed("% texbrdf: root = @zz\n\n" + equation("a = 1"), "b"), "refused: no name stands here");
+  EXPECT_EQ(renamed("% texbrdf: root = g\n\n" + equation("@g = 1") + equation("f = 1"), "f"),
+            "refused: `f` is defined already, on line 4");
+}
+
 TEST(Rename, ANameOfAnotherFunctionsParameterIsFree) {
   EXPECT_EQ(renamed(equation("f = @a + g(1)") + equation("g(x) = x") + equation("a = 1"), "x"),
             equation("f = x + g(1)") + equation("g(x) = x") + equation("x = 1"));
@@ -194,6 +216,8 @@ TEST(PrepareRename, GivesTheNameAsItIsWritten) {
   EXPECT_EQ(prepared(equation("f = @x_{1}") + equation("x_1 = 2")), "x_{1}");
   EXPECT_EQ(prepared(equation("f = g(1)") + equation("g(x) = 2*x@")), "x");
   EXPECT_EQ(prepared(equation("f = 1 @+ 2")), "nothing");
+  EXPECT_EQ(prepared("%  texbrdf: root = x_{ 1}@ \n" + equation("x_1 = 2")), "x_{ 1}");
+  EXPECT_EQ(prepared("% texbrdf: @root = x\n" + equation("x = 2")), "nothing");
   EXPECT_EQ(prepared("pro@se " + equation("f = 1")), "nothing");
   EXPECT_EQ(prepared(equation("f = @\\pi")), "refused: `\\pi` is a convention of the language and keeps its name");
 }
