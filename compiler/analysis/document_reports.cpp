@@ -64,7 +64,8 @@ class Collector {
                                   return true;
                                 });
     for (const Cycle& cycle : *state_.cycles) report_cycle(cycle);
-    std::ranges::sort(all_, {}, [](const Report& r) { return std::pair(r.diagnostic.where, r.diagnostic.code); });
+    std::ranges::stable_sort(all_, {},
+                             [](const Report& r) { return std::pair(r.diagnostic.where, r.diagnostic.code); });
     return std::move(all_);
   }
 

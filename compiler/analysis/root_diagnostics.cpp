@@ -9,9 +9,6 @@ namespace {
 /// A document that is a collection of equations would drown in hints: only the first are told.
 constexpr uint32_t kMaxUnused = 100;
 
-/// The block of a place in prose, whose span is absolute.
-constexpr BlockId kNoBlock{UINT32_MAX};
-
 /// The names that a root needs, itself included.
 class NeededNames {
  public:
@@ -56,7 +53,7 @@ class RootDiagnostics {
     }
     report_includes();
     follow_directives();
-    std::ranges::sort(all_, {}, [](const Diagnostic& d) { return std::pair(d.where, d.code); });
+    std::ranges::stable_sort(all_, {}, [](const Diagnostic& d) { return std::pair(d.where, d.code); });
     return std::move(all_);
   }
 
@@ -131,7 +128,7 @@ class RootDiagnostics {
 
   Location place_in_prose(Span in_project) const {
     const uint32_t begin = state_.view.offset(in_project.begin);
-    return {.file = {}, .block = kNoBlock, .span = {begin, begin + in_project.size()}};
+    return {.file = {}, .block = kProse, .span = {begin, begin + in_project.size()}};
   }
 
   void report_includes() {

@@ -190,14 +190,18 @@ bool Snapshot::is_ours() const {
   return state_->root.has_directives || !state_->root.name.empty();
 }
 
+const std::vector<Diagnostic>& Snapshot::diagnostics() const {
+  std::call_once(state_->diagnostics_once, [&] { state_->diagnostics = diagnostics({}); });
+  return state_->diagnostics;
+}
+
 std::vector<Diagnostic> Snapshot::diagnostics(std::string_view root) const {
   std::call_once(state_->reports_once, [&] { state_->reports = document_reports(*state_); });
   return diagnostics_for_root(*state_, root.empty() ? root_name() : root);
 }
 
 bool Snapshot::has_errors() const {
-  const std::vector<Diagnostic> all = diagnostics();
-  return std::ranges::any_of(all, [](const Diagnostic& d) { return d.severity == Severity::Error; });
+  return std::ranges::any_of(diagnostics(), [](const Diagnostic& d) { return d.severity == Severity::Error; });
 }
 
 std::optional<DefinitionId> Snapshot::find(std::string_view canonical) const {

@@ -49,6 +49,9 @@ struct FilePlace {
   Span span;  ///< of the file's text
 };
 
+/// The block of a place in prose, whose span is absolute.
+inline constexpr BlockId kProse{UINT32_MAX};
+
 /// The definitions of one block: [first, end).
 struct DefinitionRange {
   DefinitionId first;
@@ -158,8 +161,10 @@ class Snapshot {
   bool is_ours() const;
 
   /// In document order; what depends on the whole document (nearest names, redefinitions, cycles, the root) is added
-  /// here. Errors and warnings about definitions that the root does not need are hints. Empty `root`: root_name().
-  std::vector<Diagnostic> diagnostics(std::string_view root = {}) const;
+  /// here. Errors and warnings about definitions that the root does not need are hints. Formed once.
+  const std::vector<Diagnostic>& diagnostics() const;
+  /// As if `root` (canonical) were the root; empty: root_name().
+  std::vector<Diagnostic> diagnostics(std::string_view root) const;
   bool has_errors() const;
 
   /// The definition in force.

@@ -95,6 +95,8 @@ struct Snapshot::State {
 
   mutable std::once_flag reports_once;
   mutable std::vector<Report> reports;  ///< without what concerns the root, in document order
+  mutable std::once_flag diagnostics_once;
+  mutable std::vector<Diagnostic> diagnostics;  ///< with it
 
   /// All blocks, and by DefinitionId the block: listed when all are gone through.
   struct AllBlocks {

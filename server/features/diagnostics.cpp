@@ -25,4 +25,14 @@ std::vector<ShownDiagnostic> diagnostics(const Snapshot& snapshot) {
   return all;
 }
 
+std::vector<std::vector<ShownDiagnostic>> diagnostics_by_file(const Snapshot& snapshot) {
+  std::vector<std::vector<ShownDiagnostic>> files(snapshot.file_count());
+  if (!snapshot.is_ours()) return files;
+  for (const Diagnostic& diagnostic : snapshot.diagnostics()) {
+    const FileId file = snapshot.place(snapshot.absolute(diagnostic.where)).file;
+    files[file.value].push_back(shown(snapshot, diagnostic));
+  }
+  return files;
+}
+
 }  // namespace texbrdf::features

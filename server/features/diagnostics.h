@@ -26,5 +26,7 @@ ShownDiagnostic shown(const Snapshot& snapshot, const Diagnostic& diagnostic);
 /// All diagnostics of the file, in document order. None for a document that has nothing to do with BRDFs: another
 /// LaTeX server may serve it.
 std::vector<ShownDiagnostic> diagnostics(const Snapshot& snapshot);
+/// The same of each file of the project, by FileId; spans are still the snapshot's.
+std::vector<std::vector<ShownDiagnostic>> diagnostics_by_file(const Snapshot& snapshot);
 
 }  // namespace texbrdf::features

@@ -47,22 +47,17 @@ void Session::notice_projects() {
   forget_elsewhere();
 }
 
-/// The diagnostics of one file of the document's project, as JSON.
-std::string Session::diagnostic_items(OpenDocument& open, FileId file) {
-  const Snapshot& snapshot = open.document.snapshot_of(file);
-  Positions places(snapshot, unit_, [this, &open](FileId id) { return uri_of(open, id); });
-  JsonWriter items;
-  write_diagnostic_items(items, places, uri_of(open, file), shown_diagnostics(snapshot), diagnostic_style());
-  return items.take();
-}
-
 /// An edit may change the diagnostics of other files of the project; only those that do change are published.
-void Session::show_elsewhere(OpenDocument& open) {
+void Session::show_elsewhere(OpenDocument& open, std::span<const std::vector<features::ShownDiagnostic>> by_file) {
   const Project& project = open.document.project();
   open.shown_state = project.state;
-  for (uint32_t file = 0; file < project.paths.size() && project.paths.size() > 1; ++file) {
+  if (by_file.size() == 1) return;
+  Positions places = positions(open);
+  for (uint32_t file = 0; file < by_file.size(); ++file) {
     const std::string& path = project.paths[file];
-    std::string items = diagnostic_items(open, {file});
+    JsonWriter written;
+    write_diagnostic_items(written, places, open.uri, by_file[file], diagnostic_style());
+    std::string items = written.take();
     if (OpenDocument* other = documents_.find_path(path)) {
       const bool is_shown = other->published && &other->document.project() == &project;
       if (is_shown && other != &open && other->items != items) other->published = false;

@@ -101,13 +101,11 @@ class ProjectDocument {
   /// Ends the life of those given out before where a file has changed.
   const Snapshot& snapshot() { return projects_->snapshot(*buffer_); }
   /// The one that was given out last.
-  const Snapshot& present_snapshot() const { return snapshot_of(buffer_->file); }
+  const Snapshot& present_snapshot() const { return buffer_->home->document.snapshot(buffer_->file); }
   const SourceText& text() const { return buffer_->text; }
   void replace(Span span, std::string_view replacement) { projects_->replace(*buffer_, span, replacement); }
   void set_text(std::string_view text);
   void prepare_for_edits();
-  /// Of another file of the project.
-  const Snapshot& snapshot_of(FileId file) const { return buffer_->home->document.snapshot(file); }
   /// After `snapshot`.
   const Project& project() const { return *buffer_->home; }
   Buffer& buffer() const { return *buffer_; }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -124,16 +125,15 @@ class Session {
   std::string uri_of(const OpenDocument& open, FileId file);
   std::vector<FileEdits> by_file(OpenDocument& open, std::span<const features::TextEdit> edits);
   void notice_projects();
-  void show_elsewhere(OpenDocument& open);
+  void show_elsewhere(OpenDocument& open, std::span<const std::vector<features::ShownDiagnostic>> by_file);
   void forget_elsewhere();
-  std::string diagnostic_items(OpenDocument& open, FileId file);
 
   // shown_diagnostics.cpp
   Outcome diagnostic(const PullParams& params, JsonWriter& result);
   bool is_pulled() const;
   bool pushes_diagnostics() const { return settings_.shows(Feature::Diagnostics) && !is_pulled(); }
   void publish_anew(bool pushed_before);
-  std::vector<features::ShownDiagnostic> shown_diagnostics(const Snapshot& snapshot) const;
+  std::vector<std::vector<features::ShownDiagnostic>> shown_by_file(const Snapshot& snapshot) const;
   std::vector<features::ShownDiagnostic> as_set(std::vector<features::ShownDiagnostic> shown) const;
   DiagnosticStyle diagnostic_style() const;
 

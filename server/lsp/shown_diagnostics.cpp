@@ -30,9 +30,10 @@ DiagnosticStyle Session::diagnostic_style() const {
   return {client_.related_information, client_.code_description, client_.diagnostic_tags, docs_url_};
 }
 
-std::vector<features::ShownDiagnostic> Session::shown_diagnostics(const Snapshot& snapshot) const {
-  if (!settings_.shows(Feature::Diagnostics)) return {};
-  return as_set(features::diagnostics(snapshot));
+std::vector<std::vector<features::ShownDiagnostic>> Session::shown_by_file(const Snapshot& snapshot) const {
+  std::vector<std::vector<features::ShownDiagnostic>> files = features::diagnostics_by_file(snapshot);
+  for (std::vector<features::ShownDiagnostic>& shown : files) shown = as_set(std::move(shown));
+  return files;
 }
 
 /// As the settings want them.
@@ -69,8 +70,10 @@ void Session::write_next_publication(JsonWriter& out) {
   open->published = true;
   const Snapshot& snapshot = open->document.snapshot();
   Positions places = positions(*open);
-  write_diagnostics(out, places, open->uri, open->version, shown_diagnostics(snapshot), diagnostic_style());
-  show_elsewhere(*open);
+  const std::vector<std::vector<features::ShownDiagnostic>> by_file = shown_by_file(snapshot);
+  const std::vector<features::ShownDiagnostic>& own = by_file[snapshot.file().value];
+  write_diagnostics(out, places, open->uri, open->version, own, diagnostic_style());
+  show_elsewhere(*open, by_file);
 }
 
 /// The client was told that it can ask for diagnostics: then it gets no others.
@@ -94,7 +97,7 @@ Session::Outcome Session::diagnostic(const PullParams& params, JsonWriter& resul
   const Snapshot& snapshot = open->document.snapshot();
   Positions places = positions(*open);
   JsonWriter items;
-  write_diagnostic_items(items, places, open->uri, shown_diagnostics(snapshot), diagnostic_style());
+  write_diagnostic_items(items, places, open->uri, as_set(features::diagnostics(snapshot)), diagnostic_style());
   if (open->pulled_id == 0 || open->pulled != items.text()) {
     open->pulled_id = ++last_result_;
     open->pulled = items.take();

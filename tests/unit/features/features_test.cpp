@@ -160,5 +160,28 @@ TEST(Diagnostics, AreFormedWithAbsoluteRanges) {
   EXPECT_EQ(shown[1].related[0].span.begin, std::string("θ \\begin{equation}").size());
 }
 
+/// Seen from whatever file, each has the diagnostics that are seen from itself.
+TEST(Diagnostics, OfAllFilesAreThoseOfEach) {
+  const std::string unclosed = "% texbrdf: nonsense\n\\begin{equation}c = (1\\end{equation}";
+  Document document(equation("f = a + zz") + "% texbrdf: more\n");
+  document.insert_file({1}, SourceText(equation("a = b") + equation("a = 1") + unclosed));
+  document.insert_file({2}, SourceText(""));
+  document.insert_file({3}, SourceText(equation("b = yy") + equation("a = 2") + equation("unused = 1")));
+  for (uint32_t seen_from = 0; seen_from < document.file_count(); ++seen_from) {
+    const Snapshot& snapshot = document.snapshot({seen_from});
+    const std::vector<std::vector<ShownDiagnostic>> files = diagnostics_by_file(snapshot);
+    ASSERT_EQ(files.size(), document.file_count());
+    for (uint32_t file = 0; file < files.size(); ++file) {
+      const std::vector<ShownDiagnostic> own = diagnostics(document.snapshot({file}));
+      ASSERT_EQ(files[file].size(), own.size()) << file;
+      for (std::size_t i = 0; i < own.size(); ++i) {
+        EXPECT_EQ(files[file][i].message, own[i].message);
+        EXPECT_EQ(snapshot.place(files[file][i].span).file, FileId{file});
+        EXPECT_EQ(snapshot.place(files[file][i].span).span, own[i].span);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace texbrdf::features
