@@ -152,5 +152,24 @@ TEST(CodeActions, CarryTheirDiagnostic) {
   EXPECT_EQ(document.snapshot().text().slice(actions[0].diagnostic.span), "exp");
 }
 
+/// What code_actions gives at each place is what all diagnostics that touch it give.
+TEST(CodeActions, OfARangeAreThoseOfTheDiagnosticsThatTouchIt) {
+  const std::string block = "\\begin{equation}a = zz\\end{equation}";
+  Document document(block + block + " prose\n" + block + "\\begin{equation}b = (1\\begin{equation}");
+  const Snapshot& snapshot = document.snapshot();
+  const std::vector<CodeAction> all = all_actions(document);
+  ASSERT_GE(all.size(), 4u);
+  for (uint32_t begin = 0; begin <= snapshot.text().size(); ++begin) {
+    for (const uint32_t size : {0u, 1u, 60u}) {
+      std::vector<CodeAction> expected = all;
+      std::erase_if(expected, [&](const CodeAction& action) {
+        return action.diagnostic.span.begin > begin + size || action.diagnostic.span.end < begin;
+      });
+      const uint32_t end = std::min(begin + size, snapshot.text().size());
+      ASSERT_EQ(titles(code_actions(snapshot, {begin, end})), titles(expected)) << begin << " " << size;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace texbrdf::features
