@@ -27,9 +27,7 @@ bool take(std::string_view& text, std::string_view word) {
   return true;
 }
 
-}  // namespace
-
-std::optional<std::string> read_root_comment(std::string_view document) {
+std::optional<std::string> root_of_comment(std::string_view document) {
   for (int i = 0; i < kFirstLines && !document.empty(); ++i) {
     const size_t end = std::min(document.find_first_of("\r\n"), document.size());
     std::string_view line = document.substr(0, end);
@@ -40,6 +38,53 @@ std::optional<std::string> read_root_comment(std::string_view document) {
     if (!line.empty()) return std::string(line);
   }
   return std::nullopt;
+}
+
+std::string without_comments(std::string_view document) {
+  std::string result;
+  bool is_comment = false;
+  bool is_escaped = false;
+  for (const char c : document) {
+    if (c == '\n' || c == '\r') is_comment = false;
+    if (c == '%' && !is_escaped) is_comment = true;
+    if (!is_comment) result += c;
+    is_escaped = c == '\\' && !is_escaped;
+  }
+  return result;
+}
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kSpace = " \t\r\n";
+  text = text.substr(std::min(text.find_first_not_of(kSpace), text.size()));
+  return text.substr(0, text.find_last_not_of(kSpace) + 1);
+}
+
+/// Takes `[…]` or `{…}` from the front of the text and gives what stands in it.
+std::optional<std::string_view> take_group(std::string_view& text, char open, char close) {
+  text = trimmed(text);
+  const size_t end = text.find(close);
+  if (!text.starts_with(open) || end == std::string_view::npos) return std::nullopt;
+  const std::string_view inside = text.substr(1, end - 1);
+  text.remove_prefix(end + 1);
+  return trimmed(inside);
+}
+
+std::optional<std::string> root_of_subfile(std::string_view document) {
+  constexpr std::string_view kCommand = "\\documentclass";
+  const std::string text = without_comments(document);
+  const size_t at = text.find(kCommand);
+  if (at == std::string::npos) return std::nullopt;
+  std::string_view rest = std::string_view(text).substr(at + kCommand.size());
+  const auto root = take_group(rest, '[', ']');
+  if (!root || root->empty() || take_group(rest, '{', '}') != "subfiles") return std::nullopt;
+  return std::string(*root);
+}
+
+}  // namespace
+
+std::optional<std::string> read_root(std::string_view document) {
+  std::optional<std::string> root = root_of_comment(document);
+  return root ? root : root_of_subfile(document);
 }
 
 }  // namespace texbrdf

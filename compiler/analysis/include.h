@@ -32,7 +32,8 @@ struct IncludeProblem {
   friend bool operator==(const IncludeProblem&, const IncludeProblem&) = default;
 };
 
-/// PATH of a comment `% !TeX root = PATH` in the first lines of a document.
-std::optional<std::string> read_root_comment(std::string_view document);
+/// The file that a document says it is a part of: PATH of a comment `% !TeX root = PATH` in its first lines, else of
+/// `\documentclass[PATH]{subfiles}`.
+std::optional<std::string> read_root(std::string_view document);
 
 }  // namespace texbrdf

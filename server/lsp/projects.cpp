@@ -17,11 +17,11 @@ constexpr std::chrono::milliseconds kLookAgain{200};
 /// A root is looked for among so many files.
 constexpr std::size_t kMaxLookedInto = 200;
 constexpr int kMaxClimb = 16;
-/// The comment that names the root stands in the first lines.
+/// What names the root stands at the beginning.
 constexpr std::size_t kHeadBytes = 4096;
 
-std::optional<std::string> root_in_comment(std::string_view path, std::string_view head) {
-  const std::optional<std::string> root = read_root_comment(head);
+std::optional<std::string> named_root(std::string_view path, std::string_view head) {
+  const std::optional<std::string> root = read_root(head);
   if (!root) return std::nullopt;
   const std::string named = root->starts_with('/') ? *root : folder_of(path) + "/" + *root;
   return real_path(named.ends_with(".tex") ? named : named + ".tex");
@@ -84,7 +84,7 @@ void Projects::replace(Buffer& buffer, Span span, std::string_view replacement) 
   const std::string head = may_name_root ? head_of(buffer.text) : std::string();
   buffer.text = buffer.text.with({begin, end}, replacement);
   if (!buffer.is_new) buffer.edits.push_back({{begin, end}, std::string(replacement)});
-  if (may_name_root && read_root_comment(head) != read_root_comment(head_of(buffer.text))) is_settled_ = false;
+  if (may_name_root && read_root(head) != read_root(head_of(buffer.text))) is_settled_ = false;
 }
 
 void Projects::start_anew() {
@@ -237,7 +237,7 @@ bool Projects::includes(const Buffer& root, const Buffer& other) const {
 }
 
 Project* Projects::home_by_root(const Buffer& buffer) {
-  std::optional<std::string> root = root_in_comment(buffer.path, head_of(buffer.text));
+  std::optional<std::string> root = named_root(buffer.path, head_of(buffer.text));
   if (!root) {
     auto found = roots_.find(buffer.path);
     if (found == roots_.end()) found = roots_.emplace(buffer.path, find_root(buffer.path)).first;
@@ -288,13 +288,13 @@ const Projects::KnownFile& Projects::look_into(const std::string& path) {
   KnownFile& known = known_[path];
   if (const Buffer* buffer = find_buffer(path)) {
     const std::string bytes = buffer->text.bytes();
-    known = {{}, includes_of(bytes), root_in_comment(path, std::string_view(bytes).substr(0, kHeadBytes))};
+    known = {{}, includes_of(bytes), named_root(path, std::string_view(bytes).substr(0, kHeadBytes))};
     return known;
   }
   const FileStamp stamp = stamp_of(path);
   if (known.stamp == stamp) return known;
   const std::string bytes = read_file(path).value_or(std::string());
-  known = {stamp, includes_of(bytes), root_in_comment(path, std::string_view(bytes).substr(0, kHeadBytes))};
+  known = {stamp, includes_of(bytes), named_root(path, std::string_view(bytes).substr(0, kHeadBytes))};
   return known;
 }
 

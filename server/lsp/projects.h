@@ -79,7 +79,7 @@ class Projects final : public FileSource {
   struct KnownFile {
     FileStamp stamp;
     std::vector<IncludeTarget> includes;
-    std::optional<std::string> root;  ///< of its comment
+    std::optional<std::string> root;  ///< that it names
   };
   const KnownFile& look_into(const std::string& path);
 

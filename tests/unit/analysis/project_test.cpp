@@ -130,11 +130,25 @@ TEST(Includes, AProblemIsReportedAtItsCommandAndCanBeSilenced) {
 }
 
 TEST(RootComment, IsReadFromTheFirstLines) {
-  EXPECT_EQ(read_root_comment("% !TeX root = ../main.tex\n"), "../main.tex");
-  EXPECT_EQ(read_root_comment("x\n%!TEX root=a b.tex \r\n"), "a b.tex");
-  EXPECT_EQ(read_root_comment("% !TeX program = xelatex\n% !TeX root = a"), "a");
-  EXPECT_EQ(read_root_comment("% !TeX root =\n"), std::nullopt);
-  EXPECT_EQ(read_root_comment(std::string(100, '\n') + "% !TeX root = a"), std::nullopt);
+  EXPECT_EQ(read_root("% !TeX root = ../main.tex\n"), "../main.tex");
+  EXPECT_EQ(read_root("x\n%!TEX root=a b.tex \r\n"), "a b.tex");
+  EXPECT_EQ(read_root("% !TeX program = xelatex\n% !TeX root = a"), "a");
+  EXPECT_EQ(read_root("% !TeX root =\n"), std::nullopt);
+  EXPECT_EQ(read_root(std::string(100, '\n') + "% !TeX root = a"), std::nullopt);
+}
+
+TEST(Include, ASubfileNamesItsRoot) {
+  EXPECT_EQ(read_root("\\documentclass[../main.tex]{subfiles}\n\\begin{document}"), "../main.tex");
+  EXPECT_EQ(read_root("% a\n\\documentclass [ % the whole\r\n main ]\n{ subfiles }"), "main");
+  EXPECT_EQ(read_root("% !TeX root = a\n\\documentclass[b]{subfiles}"), "a");
+  EXPECT_EQ(read_root("\\% \\documentclass[a]{subfiles}"), "a");
+  EXPECT_EQ(read_root("\\\\% \\documentclass[a]{subfiles}"), std::nullopt);
+  EXPECT_EQ(read_root("%\\documentclass[a]{subfiles}"), std::nullopt);
+  for (const char* other : {"\\documentclass[a4paper]{article}", "\\documentclass{subfiles}",
+                            "\\documentclass[]{subfiles}", "\\documentclass[a", "\\documentclass[a]{subfiles",
+                            "\\documentclass", "\\documentclass{article}\\documentclass[a]{subfiles}"}) {
+    EXPECT_EQ(read_root(other), std::nullopt) << other;
+  }
 }
 
 }  // namespace
