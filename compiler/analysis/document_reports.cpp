@@ -64,8 +64,7 @@ class Collector {
                                   return true;
                                 });
     for (const Cycle& cycle : *state_.cycles) report_cycle(cycle);
-    std::ranges::stable_sort(all_, {},
-                             [](const Report& r) { return std::pair(r.diagnostic.where, r.diagnostic.code); });
+    std::ranges::sort(all_, {}, [](const Report& r) { return place_and_content(r.diagnostic); });
     return std::move(all_);
   }
 

@@ -53,7 +53,7 @@ class RootDiagnostics {
     }
     report_includes();
     follow_directives();
-    std::ranges::stable_sort(all_, {}, [](const Diagnostic& d) { return std::pair(d.where, d.code); });
+    std::ranges::sort(all_, {}, [](const Diagnostic& d) { return place_and_content(d); });
     return std::move(all_);
   }
 

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <memory>
 #include <mutex>
+#include <tuple>
 
 #include "analysis/engine_state.h"
 #include "analysis/include.h"
@@ -77,6 +78,11 @@ struct Report {
   Diagnostic diagnostic;
   NameId about;
 };
+
+/// Orders diagnostics by where they stand, and those of one place so that all views of a project agree.
+inline auto place_and_content(const Diagnostic& diagnostic) {
+  return std::tie(diagnostic.where, diagnostic.code, diagnostic.arguments);
+}
 
 /// What a Snapshot holds: the part of the engine's state that does not change any more.
 struct Snapshot::State {
