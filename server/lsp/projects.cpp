@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lsp/follow_includes.h"
+#include "source/internal_error.h"
 #include "source/text_change.h"
 #include "syntax/block_scanner.h"
 
@@ -108,6 +109,7 @@ const Snapshot& Projects::snapshot(Buffer& buffer) {
   const bool has_others = buffer.home != nullptr && (buffer.home->paths.size() > 1 || !buffer.home->is_complete);
   if (has_others) look_at_disk();
   settle();
+  require(buffer.home != nullptr, "a settled buffer has a home");
   return buffer.home->document.snapshot(buffer.file);
 }
 
