@@ -91,6 +91,7 @@ struct Document::State {
     state->lists_users = engine.lists_users;
     state->cycles = engine.cycles;
     state->root = engine.root;
+    state->needed = engine.needed;
     state->include_problems = include_problems;
     state->suggestions = suggestions;
     state->counters = counters;

@@ -13,9 +13,11 @@
 
 namespace texbrdf {
 
-/// What the definition in force says of a name to all others, and where it stands in the order of checking.
+/// What the definition in force says of a name to all others, what it mentions, and where it stands in the order of
+/// checking.
 struct NameState {
   NameFact fact;
+  std::vector<NameId> mentions;  ///< kept here too because walks over many definitions are quicker so
   /// Greater than that of every name that the definition mentions, unless it is in a knot; 0 where there is none.
   uint32_t height = 0;
   bool in_knot = false;  ///< its definition needs itself
@@ -28,6 +30,8 @@ using Cycle = std::vector<NameId>;
 struct RootChoice {
   std::string name;             ///< canonical; empty where no instruction names one and no definition looks like one
   bool has_directives = false;  ///< the document says something to texbrdf: it is one of ours
+
+  std::string name_or_f() const { return name.empty() ? "f" : name; }
 };
 
 /// All that is known of a document between two edits.
@@ -39,6 +43,8 @@ struct EngineState {
   std::vector<NameOccurrences> occurrences;  ///< by NameId
   bool lists_users = false;                  ///< who mentions a name is listed when it is first needed
   RootChoice root;
+  /// By NameId, the names that the root needs; nullptr where no report depends on it.
+  std::shared_ptr<const std::vector<bool>> needed;
   std::shared_ptr<const std::vector<Cycle>> cycles = std::make_shared<const std::vector<Cycle>>();
 
   /// The first definition of a name is in force; one of a constant of the convention never is.

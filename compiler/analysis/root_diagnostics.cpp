@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "analysis/needed_names.h"
 #include "analysis/snapshot_state.h"
 
 namespace texbrdf {
@@ -9,31 +10,14 @@ namespace {
 /// A document that is a collection of equations would drown in hints: only the first are told.
 constexpr uint32_t kMaxUnused = 100;
 
-/// The names that a root needs, itself included.
-class NeededNames {
- public:
-  NeededNames(const Snapshot::State& state, NameId root) : is_needed_(state.names->size()) {
-    std::vector<NameId> waiting;
-    const auto need = [&](NameId name) {
-      if (is_needed_[name.value]) return;
-      is_needed_[name.value] = true;
-      waiting.push_back(name);
-    };
-    need(root);
-    while (!waiting.empty()) {
-      const std::optional<DefinitionKey> key = state.find(waiting.back());
-      waiting.pop_back();
-      if (!key) continue;
-      const AnalysedBlock& block = *state.locate(key->block).block->analysed;
-      for (NameId name : block.mentions_of(key->index_in_block)) need(name);
-    }
-  }
-
-  bool contains(NameId name) const { return is_needed_[name.value]; }
-
- private:
-  std::vector<bool> is_needed_;
-};
+/// What a root needs that is another than the document's.
+std::vector<bool> needed_by(const Snapshot::State& state, NameId root) {
+  return needed_names(state.names->size(), root, [&](NameId name) -> std::span<const NameId> {
+    const std::optional<DefinitionKey> key = state.find(name);
+    if (!key) return {};
+    return state.locate(key->block).block->analysed->mentions_of(key->index_in_block);
+  });
+}
 
 class RootDiagnostics {
  public:
@@ -58,17 +42,21 @@ class RootDiagnostics {
   }
 
  private:
-  static bool may_be_demoted(const Report& report) {
-    return report.about.valid() && report.diagnostic.severity < Severity::Information;
-  }
-
   // A paper also contains equations that are not code.
   void demote_what_is_not_needed() {
-    if (std::ranges::none_of(state_.reports, may_be_demoted)) return;
-    const NeededNames needed(state_, root_name_);
+    if (std::ranges::none_of(state_.reports, &Report::is_demotable)) return;
+    const bool is_own_root = root_ == state_.root.name_or_f();
+    if (is_own_root && state_.needed) {
+      demote_all_but(*state_.needed);
+    } else {
+      demote_all_but(needed_by(state_, root_name_));
+    }
+  }
+
+  void demote_all_but(const std::vector<bool>& needed) {
     for (size_t i = 0; i < all_.size(); ++i) {
       const Report& report = state_.reports[i];
-      if (may_be_demoted(report) && !needed.contains(report.about)) all_[i].severity = Severity::Hint;
+      if (report.is_demotable() && !needed[report.about.value]) all_[i].severity = Severity::Hint;
     }
   }
 

@@ -24,6 +24,11 @@ struct PlacedDefinition {
   bool is_used = false;  ///< something mentions its name
 };
 
+/// An error or a warning about a definition is a hint where the root does not need it.
+inline bool is_demotable(const Diagnostic& diagnostic) {
+  return diagnostic.severity < Severity::Information;
+}
+
 /// A block in its document. Where `analysed` is nullptr it was scanned, and nobody has read it yet.
 struct PlacedBlock {
   BlockLabel label = 0;
@@ -31,6 +36,7 @@ struct PlacedBlock {
   std::shared_ptr<const AnalysedBlock> analysed;
   std::vector<PlacedDefinition> definitions;
   uint32_t reports = 0;     ///< how much of it has to be reported, at most
+  uint32_t demotable = 0;   ///< errors and warnings about its definitions, at most
   uint32_t unused = 0;      ///< definitions in force that nothing mentions
   uint32_t candidates = 0;  ///< definitions in force whose name may be that of a BRDF
 };
@@ -49,6 +55,7 @@ struct Segment {
     uint32_t blocks = 0;
     uint32_t definitions = 0;
     uint32_t reports = 0;
+    uint32_t demotable = 0;
     uint32_t without_definition = 0;  ///< blocks
     uint32_t unused = 0;
     uint32_t candidates = 0;
@@ -61,6 +68,7 @@ struct Segment {
               a.blocks + b.blocks,
               a.definitions + b.definitions,
               a.reports + b.reports,
+              a.demotable + b.demotable,
               a.without_definition + b.without_definition,
               a.unused + b.unused,
               a.candidates + b.candidates,
@@ -85,6 +93,7 @@ struct Segment {
     sum.blocks = 1;
     sum.definitions = static_cast<uint32_t>(block->definitions.size());
     sum.reports = block->reports;
+    sum.demotable = block->demotable;
     sum.unused = block->unused;
     sum.candidates = block->candidates;
     if (block->analysed) sum.directives = static_cast<uint32_t>(block->analysed->directives.size());

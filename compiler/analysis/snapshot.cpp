@@ -168,7 +168,7 @@ Span Snapshot::absolute(BlockId block, Span relative) const {
 }
 
 std::string Snapshot::root_name() const {
-  return state_->root.name.empty() ? "f" : state_->root.name;
+  return state_->root.name_or_f();
 }
 
 std::vector<RootDirective> Snapshot::root_directives() const {

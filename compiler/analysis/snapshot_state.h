@@ -77,6 +77,9 @@ class FileView {
 struct Report {
   Diagnostic diagnostic;
   NameId about;
+
+  /// A hint where the root does not need the definition.
+  bool is_demotable() const { return about.valid() && texbrdf::is_demotable(diagnostic); }
 };
 
 /// Orders diagnostics by where they stand, and those of one place so that all views of a project agree.
@@ -98,6 +101,7 @@ struct Snapshot::State {
   Counters counters;
 
   RootChoice root;
+  std::shared_ptr<const std::vector<bool>> needed;  ///< as EngineState::needed
 
   mutable std::once_flag reports_once;
   mutable std::vector<Report> reports;  ///< without what concerns the root, in document order

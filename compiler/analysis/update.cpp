@@ -6,6 +6,7 @@
 #include "analysis/changed_names.h"
 #include "analysis/check_changes.h"
 #include "analysis/definition_heights.h"
+#include "analysis/needed_names.h"
 #include "analysis/root_choice.h"
 #include "source/shared_pool.h"
 
@@ -23,6 +24,7 @@ class Update {
   UpdateResult run() {
     const std::vector<BlockChange> changes = read_changed_blocks(state_, touched_, blocks_, result_.counters);
     names_ = update_names(state_, changes, is_all_new_);
+    note_mentions();
     OrderChange order = order_definitions(state_, blocks_, names_.reordered);
     if (is_all_new_) {
       check_all(state_, blocks_, order.order, result_.counters);
@@ -36,11 +38,36 @@ class Update {
     }
     store_names();
     choose_root(state_);
+    find_needed();
     result_.other_definitions = !names_.listed.empty();
     return std::move(result_);
   }
 
  private:
+  void note_mentions() {
+    for (NameId name : names_.reordered) {
+      std::vector<NameId>& mentions = state_.name_states[name.value].mentions;
+      const std::optional<DefinitionKey> key = state_.in_force(name);
+      if (!key) {
+        mentions.clear();
+      } else {
+        const std::span<const NameId> now = blocks_.analysed(key->block)->mentions_of(key->index_in_block);
+        mentions.assign(now.begin(), now.end());
+      }
+    }
+  }
+
+  void find_needed() {
+    state_.needed = nullptr;
+    const bool may_demote = state_.segments.measure().demotable > 0 || !state_.cycles->empty();
+    if (!may_demote) return;
+    const NameId root = state_.names->find(state_.root.name_or_f());
+    if (!root.valid()) return;
+    const auto mentions_of = [&](NameId name) { return std::span(state_.name_states[name.value].mentions); };
+    state_.needed =
+        std::make_shared<const std::vector<bool>>(needed_names(state_.name_states.size(), root, mentions_of));
+  }
+
   void mark_definitions() {
     for (WorkingBlock& block : blocks_.all()) mark_block(block);
     for (NameId name : names_.listed) mark_first(name);
@@ -81,6 +108,7 @@ class Update {
     if (is_all_new_) mark_block(block);
     PlacedBlock placed{.label = block.label, .extent = block.extent, .analysed = nullptr, .definitions = {}};
     placed.reports = count_reports(block);
+    placed.demotable = count_demotable(block);
     for (uint32_t i = 0; i < block.definitions.size(); ++i) {
       const PlacedDefinition& definition = block.definitions[i];
       if (definition.in_force && !definition.is_used) ++placed.unused;
@@ -100,6 +128,15 @@ class Update {
       if (!definition.in_force || is_convention) ++reports;
     }
     return static_cast<uint32_t>(reports);
+  }
+
+  uint32_t count_demotable(const WorkingBlock& block) const {
+    int64_t demotable = 0;
+    for (const PlacedDefinition& definition : block.definitions) {
+      demotable += std::ranges::count_if(definition.record->checked.diagnostics, is_demotable);
+      if (!definition.in_force) ++demotable;
+    }
+    return static_cast<uint32_t>(demotable);
   }
 
   void store_blocks() {
