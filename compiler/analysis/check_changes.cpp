@@ -76,7 +76,7 @@ class CheckChanges {
     if (!key) return {};
     if (state_of(name).in_knot) return {NameFact::Kind::Defined, poison(*key)};
     const CheckedDefinition& checked = check(*key);
-    return {NameFact::Kind::Defined, checked.signature, checked.directional};
+    return {NameFact::Kind::Defined, checked.signature};
   }
 
   // Definitions on a cycle have no types; what they take is known all the same.

@@ -90,6 +90,7 @@ struct Document::State {
     state->occurrences = occurrences;
     state->lists_users = engine.lists_users;
     state->cycles = engine.cycles;
+    state->directional = engine.directional;
     state->root = engine.root;
     state->needed = engine.needed;
     state->include_problems = include_problems;

@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "analysis/directional_names.h"
 #include "analysis/name_occurrences.h"
 #include "analysis/project_text.h"
 #include "analysis/segment.h"
@@ -42,6 +43,7 @@ struct EngineState {
   std::vector<NameState> name_states;        ///< by NameId
   std::vector<NameOccurrences> occurrences;  ///< by NameId
   bool lists_users = false;                  ///< who mentions a name is listed when it is first needed
+  DirectionalNames directional;
   RootChoice root;
   /// By NameId, the names that the root needs; nullptr where no report depends on it.
   std::shared_ptr<const std::vector<bool>> needed;

@@ -46,9 +46,6 @@ class RootSearch {
     std::span<const NameId> mentions;
 
     bool has_shape() const { return has_brdf_parameters(checked->signature); }
-    bool is_directional() const {
-      return checked->directional || std::ranges::any_of(checked->signature.parameters, is_triple);
-    }
   };
 
   std::vector<Candidate> candidates() const {
@@ -75,9 +72,8 @@ class RootSearch {
     if (std::ranges::any_of(all, &Candidate::has_shape)) {
       std::erase_if(all, [](const Candidate& candidate) { return !candidate.has_shape(); });
     }
-    if (std::ranges::any_of(all, &Candidate::is_directional)) {
-      std::erase_if(all, [](const Candidate& candidate) { return !candidate.is_directional(); });
-    }
+    const auto is_constant = [&](const Candidate& candidate) { return !is_directional(candidate); };
+    if (!std::ranges::all_of(all, is_constant)) std::erase_if(all, is_constant);
     const Candidate* best = nullptr;
     for (const Candidate& candidate : all) {
       const bool is_used = std::ranges::any_of(all, [&](const Candidate& user) {
@@ -86,6 +82,12 @@ class RootSearch {
       if (!is_used && (best == nullptr || rank(candidate) < rank(*best))) best = &candidate;
     }
     return best == nullptr ? std::nullopt : std::optional(best->name);
+  }
+
+  bool is_directional(const Candidate& candidate) const {
+    const auto changes = [&](NameId name) { return state_.directional.contains(name, *state_.names); };
+    return std::ranges::any_of(candidate.mentions, changes) ||
+           std::ranges::any_of(candidate.checked->signature.parameters, is_triple);
   }
 
   // One that mentions more is nearer to the whole; else `f` itself, else the first of the document.

@@ -63,7 +63,7 @@ class RootDiagnostics {
   void check_shape() {
     const LocatedDefinition definition = state_.locate(*key_);
     const Signature& signature = definition.checked().signature;
-    if (signature.result == Type::Error || is_brdf(signature)) return;
+    if (!definition.checked().sound || is_brdf(signature)) return;
     all_.push_back(make_diagnostic(Code::RootShape, definition.name_place(), {root_, signature_text(signature)}));
   }
 

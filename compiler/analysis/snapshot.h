@@ -182,7 +182,7 @@ class Snapshot {
   /// The equation's source on one line, white space folded.
   std::string equation(DefinitionId id) const;
 
-  /// What the linker needs of a definition; nullptr where it is not usable.
+  /// What the linker needs of a definition; nullptr where it is not sound.
   const ir::LinkableDefinition* linkable(NameId name) const;
   /// Everything that a root needs, or why it cannot be had, in one line for a person. Empty `root`: root_name().
   Result<ir::Program> program(std::string_view root = {}, const ir::LinkOptions& options = {}) const;

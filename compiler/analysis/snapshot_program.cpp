@@ -101,19 +101,19 @@ const ir::LinkableDefinition* Snapshot::linkable(NameId name) const {
   const std::optional<DefinitionKey> key = state_->find(name);
   if (!key) return nullptr;
   const LocatedDefinition definition = state_->locate(*key);
-  if (!definition.checked().usable) return nullptr;
+  if (!definition.checked().sound) return nullptr;
   return &definition.placed().record->linkable([&] { return make_linkable(definition); });
 }
 
-Result<ir::Program> Snapshot::program(std::string_view wanted, const ir::LinkOptions& options) const {
-  const std::string root = wanted.empty() ? root_name() : std::string(wanted);
-  const std::optional<DefinitionId> id = find(root);
-  if (!id) return Failure{"no equation defines " + quoted(root)};
+Result<ir::Program> Snapshot::program(std::string_view root, const ir::LinkOptions& options) const {
+  const std::string wanted = root.empty() ? root_name() : std::string(root);
+  const std::optional<DefinitionId> id = find(wanted);
+  if (!id) return Failure{"no equation defines " + quoted(wanted)};
   const Definition& found = definition(*id);
-  if (!found.checked->usable)
-    return Failure{quoted(root) + " cannot be used: it or something that it needs has an error"};
+  if (!found.checked->sound)
+    return Failure{quoted(wanted) + " cannot be used: it or something that it needs has an error"};
   if (!is_brdf(found.checked->signature)) {
-    return Failure{quoted(root) + " is " + signature_text(found.checked->signature) +
+    return Failure{quoted(wanted) + " is " + signature_text(found.checked->signature) +
                    ", but a BRDF is ℝ or ℝ³, plain or a function of two vectors"};
   }
   return ir::link([this](NameId name) { return linkable(name); }, found.name, options);
@@ -122,7 +122,8 @@ Result<ir::Program> Snapshot::program(std::string_view wanted, const ir::LinkOpt
 std::optional<std::vector<double>> Snapshot::constant_value(DefinitionId id) const {
   const Definition& wanted = definition(id);
   const CheckedDefinition& checked = *wanted.checked;
-  const bool may_be_constant = wanted.in_force && checked.usable && !checked.directional;
+  const bool may_be_constant =
+      wanted.in_force && checked.sound && !state_->directional.contains(wanted.name, *state_->names);
   if (!may_be_constant || checked.signature.is_function || !needs_few(*state_, wanted.name)) return std::nullopt;
   const Result<ir::Program> program = ir::link([this](NameId name) { return linkable(name); }, wanted.name, {});
   if (!program) return std::nullopt;

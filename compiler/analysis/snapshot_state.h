@@ -100,6 +100,7 @@ struct Snapshot::State {
   std::shared_ptr<NameSuggestions> suggestions;
   Counters counters;
 
+  DirectionalNames directional;
   RootChoice root;
   std::shared_ptr<const std::vector<bool>> needed;  ///< as EngineState::needed
 

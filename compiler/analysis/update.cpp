@@ -6,6 +6,7 @@
 #include "analysis/changed_names.h"
 #include "analysis/check_changes.h"
 #include "analysis/definition_heights.h"
+#include "analysis/directional_names.h"
 #include "analysis/needed_names.h"
 #include "analysis/root_choice.h"
 #include "source/shared_pool.h"
@@ -26,6 +27,8 @@ class Update {
     names_ = update_names(state_, changes, is_all_new_);
     note_mentions();
     OrderChange order = order_definitions(state_, blocks_, names_.reordered);
+    std::vector<NameId> rearranged = names_.reordered;
+    rearranged.insert(rearranged.end(), order.knotted.begin(), order.knotted.end());
     if (is_all_new_) {
       check_all(state_, blocks_, order.order, result_.counters);
       store_blocks();
@@ -37,6 +40,7 @@ class Update {
       store_blocks();
     }
     store_names();
+    update_directional(state_, rearranged);
     choose_root(state_);
     find_needed();
     result_.other_definitions = !names_.listed.empty();

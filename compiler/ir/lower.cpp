@@ -121,7 +121,7 @@ class Lowering {
       case NodeKind::Definition:
         break;
     }
-    throw InternalError("a node that has no value in a usable definition");
+    throw InternalError("a node that has no value in a sound definition");
   }
 
   double number(NodeId node) const {
@@ -146,7 +146,7 @@ class Lowering {
       case Referent::Kind::None:
         break;
     }
-    throw InternalError("a name that refers to nothing in a usable definition");
+    throw InternalError("a name that refers to nothing in a sound definition");
   }
 
   ValueId formal(uint32_t position) { return graph_.leaf(Op::Formal, checked_.parameters[position].type, position); }
@@ -192,7 +192,7 @@ class Lowering {
     std::vector<ValueId> arguments;
     for (const NodeId child : block_.tree.children(node).subspan(1)) arguments.push_back(value(child));
     const Referent& callee = referent(block_.tree.child(node, 0));
-    require(callee.kind == Referent::Kind::Definition, "a call of what is no definition in a usable definition");
+    require(callee.kind == Referent::Kind::Definition, "a call of what is no definition in a sound definition");
     return graph_.leaf(Op::Call, type(node), callee.index, arguments);
   }
 
@@ -209,7 +209,7 @@ class Lowering {
 
 Graph lower_definition(const ParsedBlock& block, const DefinitionSyntax& definition, const BlockNames& /*names*/,
                        const CheckedDefinition& checked) {
-  require(checked.usable, "lower_definition of a definition that is not usable");
+  require(checked.sound, "lower_definition of a definition that is not sound");
   return Lowering(block, definition, checked).run();
 }
 

@@ -27,7 +27,7 @@ struct LinkableDefinition {
   std::string equation;  ///< the source of the equation on one line, white space folded
 };
 
-/// Where the linker finds definitions; nullptr for a name that has no usable one.
+/// Where the linker finds definitions; nullptr for a name that has no sound one.
 using DefinitionLookup = std::function<const LinkableDefinition*(NameId)>;
 
 /// A number or colour that can be changed without compiling again.
@@ -67,7 +67,7 @@ struct LinkOptions {
   std::map<std::string, std::vector<double>> values;
 };
 
-/// Joins what `root` needs. Fails with a reason for a person (an unusable definition, a bad --set). Iterative.
+/// Joins what `root` needs. Fails with a reason for a person (a definition in error, a bad --set). Iterative.
 Result<Program> link(const DefinitionLookup& lookup, NameId root, const LinkOptions& options);
 
 /// The most values a flattened graph may have: calls within calls can double at each level.

@@ -27,11 +27,23 @@ class DefinitionCheck {
     TypedBody typed = read_body();
     checked_.types = std::move(typed.types);
     if (view_.syntax.readable) append(std::move(typed.diagnostics));
+    checked_.sound = !is_faulty() && !typed.holds_unknown;
     finish();
     return std::move(checked_);
   }
 
  private:
+  /// The body under one choice of types for the parameters.
+  struct Reading {
+    std::vector<Type> parameters;
+    TypedBody body;
+
+    bool fits() const { return body.diagnostics.empty(); }
+    bool is_certain() const { return fits() && !body.holds_unknown; }
+  };
+
+  bool is_faulty() const { return !view_.syntax.readable || has_error(checked_.diagnostics); }
+
   bool has_open_parameters() const {
     return std::ranges::any_of(checked_.parameters, [](const CheckedParameter& p) { return p.inferred; });
   }
@@ -42,35 +54,44 @@ class DefinitionCheck {
     return types;
   }
 
-  bool fits(const TypedBody& typed) const { return typed.diagnostics.empty(); }
-  Type body_type(const TypedBody& typed) const { return typed.types[view_.slot(view_.syntax.body)]; }
-
   TypedBody read_body() {
-    std::vector<Type> known = parameter_types();
+    const std::vector<Type> known = parameter_types();
     if (!has_open_parameters()) return type_body(view_, body_, std::move(body_.leaves), known);
-    TypedBody open = type_body(view_, body_, body_.leaves, known);
-    const bool is_faulty = !fits(open) || has_error(checked_.diagnostics) || !view_.syntax.readable;
-    if (is_faulty) return open;
-
-    std::vector<Type> all_real = known;
-    std::ranges::replace(all_real, Type::Error, Type::Real);
-    TypedBody real = type_body(view_, body_, body_.leaves, all_real);
-    if (fits(real)) return decide(std::move(real), all_real);
-    if (const auto inferred = infer_parameters(view_, body_, std::move(known))) {
-      return decide(type_body(view_, body_, body_.leaves, *inferred), *inferred);
+    if (is_faulty()) return read_as(known).body;
+    Reading best = best_reading(known);
+    if (best.is_certain()) {
+      decide(best.parameters);
+      return std::move(best.body);
     }
-    return real;
+    // A body that is in error, or holds what is, says nothing about its parameters.
+    TypedBody undecided = read_as(known).body;
+    undecided.diagnostics = std::move(best.body.diagnostics);
+    return undecided;
   }
 
-  // A body that holds poison says nothing about its parameters.
-  TypedBody decide(TypedBody typed, const std::vector<Type>& types) {
-    if (body_type(typed) == Type::Error) return typed;
+  Reading read_as(std::vector<Type> parameters) const {
+    TypedBody body = type_body(view_, body_, body_.leaves, parameters);
+    return {std::move(parameters), std::move(body)};
+  }
+
+  /// One that fits, or the one whose faults are told.
+  Reading best_reading(const std::vector<Type>& known) const {
+    std::vector<Type> all_real = known;
+    std::ranges::replace(all_real, Type::Error, Type::Real);
+    Reading real = read_as(std::move(all_real));
+    if (real.fits()) return real;
+    Reading undecided = read_as(known);
+    if (!undecided.fits()) return undecided;
+    std::optional<std::vector<Type>> inferred = infer_parameters(view_, body_, known);
+    return inferred ? read_as(*std::move(inferred)) : real;
+  }
+
+  void decide(const std::vector<Type>& types) {
     for (size_t i = 0; i < types.size(); ++i) {
       CheckedParameter& parameter = checked_.parameters[i];
       parameter.type = types[i];
       if (parameter.inferred && types[i] == Type::Vector) hint_vector(parameter);
     }
-    return typed;
   }
 
   void hint_vector(const CheckedParameter& parameter) {
@@ -115,14 +136,12 @@ class DefinitionCheck {
     Signature& signature = checked_.signature;
     signature.is_function = view_.node(view_.syntax.left).kind == NodeKind::Signature;
     signature.parameters = parameter_types();
-    const bool is_sound = view_.syntax.readable && !has_error(checked_.diagnostics);
-    if (is_sound) signature.result = checked_.types[view_.slot(view_.syntax.body)];
-    checked_.usable = signature.result != Type::Error;
-    if (checked_.usable) hint_unused_parameters();
+    if (view_.syntax.readable) signature.result = checked_.types[view_.slot(view_.syntax.body)];
+    if (checked_.sound) hint_unused_parameters();
     checked_.referents = std::move(body_.referents);
     write_left_types();
     if (checked_.diagnostics.size() > kMaxReports) checked_.diagnostics.resize(kMaxReports, checked_.diagnostics[0]);
-    const bool may_have_range = checked_.usable && !view_.block.comments.empty();
+    const bool may_have_range = checked_.sound && !view_.block.comments.empty();
     if (may_have_range) parameter_literal(view_.block, view_.syntax, checked_.diagnostics);
   }
 

@@ -16,8 +16,7 @@ namespace texbrdf {
 struct NameFact {
   enum class Kind : uint8_t { Absent, Defined };
   Kind kind = Kind::Absent;
-  Signature signature;       ///< of the first definition; with Type::Error parts where it is in error itself
-  bool directional = false;  ///< as CheckedDefinition::directional
+  Signature signature;  ///< of the first definition; Type::Error where an error leaves a type unknown
   friend bool operator==(const NameFact&, const NameFact&) = default;
 };
 
@@ -53,10 +52,9 @@ struct CheckedDefinition {
   std::vector<Type> types;
   std::vector<Referent> referents;
   std::vector<Diagnostic> diagnostics;  ///< spans relative to the block, Location::block not set
-  /// True where its value changes with a direction or an angle of the convention.
-  bool directional = false;
-  /// True where nothing in the definition is in error and all that it uses is usable: it can be lowered.
-  bool usable = false;
+  /// Nothing in the definition is in error, and all its types are known: it can be lowered. What it uses may be in
+  /// error.
+  bool sound = false;
 };
 
 /// The most reports of one definition; a document where everything is wrong must not fill the memory.

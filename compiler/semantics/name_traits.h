@@ -15,6 +15,9 @@ struct NameTraits {
   bool is_reserved = false;         ///< `exp`, `max` … without backslash
   bool may_be_brdf = false;         ///< `f`, `f_r`, `f_{…}`: a name that papers give to a BRDF
   bool is_foreign_command = false;  ///< a `\word` that is neither a Greek letter nor a convention
+
+  /// Where no definition gives the name another meaning, it is a direction of the convention, or an angle.
+  bool is_directional() const { return convention && !convention_constant(*convention); }
 };
 
 NameTraits name_traits(std::string_view canonical);

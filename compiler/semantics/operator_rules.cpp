@@ -22,28 +22,53 @@ constexpr auto kRules = std::to_array<Rule>({
 #undef OPERATOR_RULE
 });
 
-constexpr size_t kTypes = 5;
+constexpr auto kTypes = std::to_array<Type>({
+#define TYPE(name, symbol, components) Type::name,
+#include "semantics/types.def"
+#undef TYPE
+});
 
-struct ResultTable {
-  // Boolean stands for "no rule": no operator gives it.
-  std::array<std::array<std::array<Type, kTypes>, kTypes>, kNeeds.size()> of{};
+// No operator gives it.
+constexpr Type kNoRule = Type::Boolean;
 
+class ResultTable {
+ public:
   constexpr ResultTable() {
-    for (auto& by_left : of) {
-      for (size_t left = 0; left < kTypes; ++left) {
-        for (size_t right = 0; right < kTypes; ++right) {
-          const bool is_poisoned = left == size_t{0} || right == size_t{0};
-          by_left[left][right] = is_poisoned ? Type::Error : Type::Boolean;
-        }
-      }
+    for (auto& by_left : of_) {
+      for (auto& by_right : by_left) by_right.fill(kNoRule);
     }
     for (const Rule& rule : kRules) {
-      of[static_cast<size_t>(rule.op)][static_cast<size_t>(rule.left)][static_cast<size_t>(rule.right)] = rule.result;
+      for (Type left : {rule.left, Type::Error}) {
+        for (Type right : {rule.right, Type::Error}) allow(at(rule.op, left, right), rule.result);
+      }
+    }
+    for (auto& by_left : of_) {
+      for (Type known : kTypes) {
+        forgive(by_left[static_cast<size_t>(known)][static_cast<size_t>(Type::Error)]);
+        forgive(by_left[static_cast<size_t>(Type::Error)][static_cast<size_t>(known)]);
+      }
     }
   }
+
+  constexpr Type of(Operator op, Type left, Type right) const {
+    return of_[static_cast<size_t>(op)][static_cast<size_t>(left)][static_cast<size_t>(right)];
+  }
+
+ private:
+  constexpr Type& at(Operator op, Type left, Type right) {
+    return of_[static_cast<size_t>(op)][static_cast<size_t>(left)][static_cast<size_t>(right)];
+  }
+  static constexpr void allow(Type& entry, Type result) {
+    entry = entry == kNoRule || entry == result ? result : Type::Error;
+  }
+  // Beside an unknown operand nothing is a fault.
+  static constexpr void forgive(Type& entry) {
+    if (entry == kNoRule) entry = Type::Error;
+  }
+
+  std::array<std::array<std::array<Type, kTypes.size()>, kTypes.size()>, kNeeds.size()> of_{};
 };
 
-static_assert(static_cast<size_t>(Type::Error) == 0);
 constexpr ResultTable kResults;
 
 }  // namespace
@@ -63,9 +88,8 @@ std::string_view operator_needs(Operator op) {
 }
 
 std::optional<Type> result(Operator op, Type left, Type right) {
-  const Type found = kResults.of[static_cast<size_t>(op)][static_cast<size_t>(left)][static_cast<size_t>(right)];
-  if (found == Type::Boolean) return std::nullopt;
-  return found;
+  const Type found = kResults.of(op, left, right);
+  return found == kNoRule ? std::nullopt : std::optional(found);
 }
 
 TypeSet results(Operator op, TypeSet left, TypeSet right) {

@@ -46,7 +46,8 @@ class TypeSet {
 
 /// The results that the rules allow for operands of these types. Error goes with everything and gives Error.
 TypeSet results(Operator op, TypeSet left, TypeSet right);
-/// The same for one type each; nothing where no rule fits.
+/// The same for one type each; nothing where no rule fits. Beside an operand of type Error: what all rules for the
+/// other give, Error where they differ or where there is none.
 std::optional<Type> result(Operator op, Type left, Type right);
 
 }  // namespace texbrdf

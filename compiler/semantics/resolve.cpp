@@ -83,14 +83,12 @@ class Resolver {
       return;
     }
     if (const NameFact& fact = view_.facts.fact(name); fact.kind == NameFact::Kind::Defined) {
-      checked_.directional = checked_.directional || fact.directional;
       refer(node, {Referent::Kind::Definition, name.value}, fact.signature.result, fact.signature.is_function);
       return;
     }
     const NameTraits& traits = view_.table.traits(name);
     if (traits.convention) {
       const auto index = static_cast<uint32_t>(*traits.convention);
-      if (!convention_constant(*traits.convention)) checked_.directional = true;
       refer(node, {Referent::Kind::Convention, index}, convention_entry(*traits.convention).type, false);
       return;
     }

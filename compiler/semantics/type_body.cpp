@@ -19,21 +19,31 @@ std::string count_of_arguments(size_t count) {
   return std::to_string(count).append(count == 1 ? " argument" : " arguments");
 }
 
+/// What is known of the result of an operation on an operand whose type is not known.
+enum class UnknownOperand : uint8_t {
+  MayNotMatter,  ///< what the rules give, whatever the operand is
+  Matters,       ///< nothing
+};
+
 class OneType {
  public:
   using Value = Type;
 
   /// `typed.types` holds the leaves to begin with.
-  OneType(const DefinitionView& view, const ResolvedBody& body, std::span<const Type> parameters, TypedBody& typed)
-      : view_(view), body_(body), parameters_(parameters), types_(typed.types), out_(typed.diagnostics) {}
+  OneType(const DefinitionView& view, const ResolvedBody& body, std::span<const Type> parameters,
+          UnknownOperand unknown, TypedBody& typed)
+      : view_(view), body_(body), parameters_(parameters), unknown_(unknown), typed_(typed) {}
 
   bool stopped() const { return false; }
   Type exactly(Type type) const { return type; }
-  Type leaf(uint32_t slot) const { return types_[slot]; }
+  Type leaf(uint32_t slot) const { return typed_.types[slot]; }
   Type parameter(uint32_t position) const { return parameters_[position]; }
 
   Type binary(NodeId id, Operator op, Type left, Type right) {
-    if (const std::optional<Type> found = result(op, left, right)) return *found;
+    if (const std::optional<Type> found = result(op, left, right)) {
+      const bool is_known = left != Type::Error && right != Type::Error;
+      return is_known ? *found : of_unknown(*found);
+    }
     if (op == Operator::Power) {
       expect_real(id, view_.block.tree.child(id, 0), left);
       expect_real(id, view_.block.tree.child(id, 1), right);
@@ -45,19 +55,20 @@ class OneType {
   }
 
   Type real_function(NodeId id, const std::vector<Type>& values) {
-    bool all_real = true;
+    const size_t reported = typed_.diagnostics.size();
+    bool is_known = true;
     const std::span<const NodeId> operands = view_.block.tree.children(id);
     for (NodeId operand : operands) {
       const Type type = values[view_.slot(operand)];
       expect_real(id, operand, type);
-      all_real = all_real && type == Type::Real;
+      is_known = is_known && type != Type::Error;
     }
     if (view_.node(id).kind == NodeKind::Extremum && operands.size() < 2) {
       report(Code::ArgumentCount, view_.at(id),
              {operator_text(id), "2 arguments or more", count_of_arguments(operands.size())});
-      all_real = false;
     }
-    return all_real ? Type::Real : Type::Error;
+    if (typed_.diagnostics.size() > reported) return Type::Error;
+    return is_known ? Type::Real : of_unknown(Type::Real);
   }
 
   Type call(NodeId id, const Signature& signature, const std::vector<Type>& values) {
@@ -69,18 +80,20 @@ class OneType {
               std::to_string(arguments.size())});
       return Type::Error;
     }
-    bool fits = true;
+    const size_t reported = typed_.diagnostics.size();
+    bool is_known = true;
     for (size_t i = 0; i < arguments.size(); ++i) {
       const Type expected = signature.parameters[i];
       const Type got = values[view_.slot(arguments[i])];
-      const bool is_poisoned = expected == Type::Error || got == Type::Error;
-      if (!is_poisoned && expected != got) {
+      if (expected == Type::Error || got == Type::Error) {
+        is_known = false;
+      } else if (expected != got) {
         report(Code::ArgumentType, view_.at(view_.without_groups(arguments[i])),
                {ordinal(i + 1), view_.name_text(children[0]), symbol(expected), symbol(got)});
       }
-      fits = fits && expected == got && !is_poisoned;
     }
-    return fits ? signature.result : Type::Error;
+    if (typed_.diagnostics.size() > reported) return Type::Error;
+    return is_known ? signature.result : of_unknown(signature.result);
   }
 
   Type juxtaposition(NodeId id) {
@@ -89,13 +102,18 @@ class OneType {
     report(Code::MissingOperator, first_place(view_.block.tree.child(id, 1)), {});
     const uint32_t begin = view_.token(second).span.begin;
     const Location before{.file = {}, .block = {}, .span = {begin, begin}};
-    out_.back().fixes.push_back({.title = "insert `*`", .edits = {{before, "*"}}});
+    typed_.diagnostics.back().fixes.push_back({.title = "insert `*`", .edits = {{before, "*"}}});
     return Type::Error;
   }
 
  private:
+  Type of_unknown(Type result) {
+    typed_.holds_unknown = true;
+    return unknown_ == UnknownOperand::MayNotMatter ? result : Type::Error;
+  }
+
   void report(Code code, Location where, std::vector<std::string> arguments) {
-    out_.push_back(make_diagnostic(code, where, std::move(arguments)));
+    typed_.diagnostics.push_back(make_diagnostic(code, where, std::move(arguments)));
   }
 
   void expect_real(NodeId id, NodeId operand, Type type) {
@@ -126,17 +144,25 @@ class OneType {
   const DefinitionView& view_;
   const ResolvedBody& body_;
   std::span<const Type> parameters_;
-  const std::vector<Type>& types_;
-  std::vector<Diagnostic>& out_;
+  const UnknownOperand unknown_;
+  TypedBody& typed_;
 };
 
 }  // namespace
 
 TypedBody type_body(const DefinitionView& view, const ResolvedBody& body, std::vector<Type> leaves,
                     std::span<const Type> parameters) {
-  TypedBody typed{.types = std::move(leaves), .diagnostics = {}};
-  OneType domain(view, body, parameters, typed);
-  TypeWalk<OneType>(view, body, domain).run(typed.types);
+  const auto walk = [&](TypedBody typed, UnknownOperand unknown) {
+    OneType domain(view, body, parameters, unknown, typed);
+    TypeWalk<OneType>(view, body, domain).run(typed.types);
+    return typed;
+  };
+  TypedBody typed = walk({.types = std::move(leaves), .diagnostics = {}}, UnknownOperand::MayNotMatter);
+  if (typed.types[view.slot(view.syntax.body)] == Type::Error) typed.holds_unknown = true;
+  if (typed.holds_unknown) {
+    // The leaves still stand among the types.
+    typed.diagnostics = walk({.types = typed.types, .diagnostics = {}}, UnknownOperand::Matters).diagnostics;
+  }
   return typed;
 }
 

@@ -8,9 +8,12 @@
 namespace texbrdf {
 
 /// Types of a body under one reading of its parameters, by slot (the left side stays Error), and what is wrong.
+/// Where an operand has no known type the result has one if the rules fix it all the same; but nothing is reported that
+/// has to do with such an operand, however far below.
 struct TypedBody {
   std::vector<Type> types;
   std::vector<Diagnostic> diagnostics;
+  bool holds_unknown = false;  ///< the body, an operand or an argument has no known type
 };
 
 /// `leaves`: body.leaves, which may be given away where it is not needed again.

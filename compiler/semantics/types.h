@@ -7,7 +7,8 @@
 
 namespace texbrdf {
 
-/// Types of expressions, from types.def. Error is the poisoned type: it goes with everything and reports nothing.
+/// Types of expressions, from types.def. Error is the unknown type of what is in error: it goes with everything and
+/// reports nothing.
 /// Vector (a direction) and Colour (linear RGB) are apart in the table; this version of the language unifies them.
 enum class Type : uint8_t {
 #define TYPE(name, symbol, components) name,

@@ -34,7 +34,7 @@ std::string types(const Snapshot& snapshot) {
   for (const Definition& definition : snapshot.definitions()) {
     const CheckedDefinition& checked = *definition.checked;
     out += std::string(snapshot.names().text(definition.name)) + ": " + signature_text(checked.signature);
-    if (!checked.usable) out += " (in error)";
+    if (!checked.sound) out += " (in error)";
     out += "\n";
     for (const CheckedParameter& parameter : checked.parameters) {
       out +=

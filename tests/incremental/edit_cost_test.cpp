@@ -79,6 +79,37 @@ TEST(EditCost, AnotherNameReadsAndChecksOneBlockOfTenThousand) {
   EXPECT_EQ(counters.definitions_checked, 1u);
 }
 
+// A type that an error leaves known is no news to those who use it.
+TEST(EditCost, AnErrorIsCheckedAndMendedWhereItIs) {
+  struct Error {
+    std::string equation;
+    uint64_t checked;
+  };
+  const Error errors[] = {{"zq * \\theta_h + 0.25", 1},                  // an undefined name, and the chain is cut
+                          {"a_{1} * zq + 0.25", 1},                      // on which the angle was all that there is
+                          {"(a_{1} + \\vec{n}) * \\theta_h + 0.25", 1},  // types that do not fit
+                          {"zq", 2},                                     // what it is cannot be said
+                          {"(a_{1} * \\theta_h + 0.25", 2}};             // it cannot be read
+  const std::string text = chain(10'000);
+  for (const int block : {2, 5000, 9999}) {
+    const std::string left = "a_{" + std::to_string(block) + "} = ";
+    const std::string sound = "a_{" + std::to_string(block - 1) + "} * \\theta_h + 0.25";
+    const auto begin = static_cast<uint32_t>(text.find(left) + left.size());
+    for (const Error& error : errors) {
+      Document document(text);
+      document.prepare_for_edits();
+      const auto checked_after = [&](const std::string& before, const std::string& after) {
+        document.replace({begin, begin + static_cast<uint32_t>(before.size())}, after);
+        return document.snapshot().counters().definitions_checked;
+      };
+      EXPECT_EQ(checked_after(sound, error.equation), error.checked) << error.equation << " in " << block;
+      EXPECT_TRUE(document.snapshot().has_errors());
+      EXPECT_EQ(checked_after(error.equation, sound), error.checked) << error.equation << " in " << block;
+      EXPECT_FALSE(document.snapshot().has_errors());
+    }
+  }
+}
+
 TEST(EditCost, BytesAllocatedDoNotGrowWithTheDocument) {
   for (const std::string replacement : {"0.35", "a_{0}"}) {
     const size_t small = cost_of_edit(100, 50, replacement).bytes;

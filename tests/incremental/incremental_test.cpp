@@ -59,7 +59,7 @@ std::string everything_of(const Snapshot& snapshot) {
   append_symbols(out, features::document_symbols(snapshot));
   for (const Definition& definition : snapshot.definitions()) {
     out += signature_text(definition.checked->signature) + (definition.in_force ? "" : " hidden") +
-           (definition.is_used ? " used" : "") + (definition.checked->usable ? "" : " unusable");
+           (definition.is_used ? " used" : "") + (definition.checked->sound ? "" : " unsound");
   }
   for (const features::SemanticToken& token : features::semantic_tokens(snapshot, {0, snapshot.text().size()})) {
     append(out, token.span);

@@ -88,7 +88,7 @@ class LinkableDocument {
   void lower(const Source& source) {
     const ParsedBlock& block = *source.block;
     const CheckedDefinition checked = check_definition(block, *source.syntax, source.names, table_, facts_);
-    if (!checked.usable) throw std::runtime_error("in error: " + std::string(block.text));
+    if (!checked.sound) throw std::runtime_error("in error: " + std::string(block.text));
     facts_.known[source.name()] = {.kind = NameFact::Kind::Defined, .signature = checked.signature};
     std::vector<Diagnostic> ignored;
     ir::LinkableDefinition definition{.id = source.name(),

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <random>
 
@@ -120,6 +121,30 @@ std::string everything_of(const Snapshot& snapshot) {
     all += (definition.in_force ? " in force " : " later ") + snapshot.equation(DefinitionId{i}) + "\n";
   }
   return all;
+}
+
+// Which definition is the root, what it needs and what depends on a direction follow the edits.
+TEST(Document, ErrorsAreHintsWhereTheRootDoesNotNeedThem) {
+  Document document(equations({"a = q", "b = a + 1", "c = \\theta_h", "f_d = c", "f = c"}));
+  const auto severity_after = [&](std::string_view from, std::string_view to) {
+    const std::string text = document.text().bytes();
+    const auto at = static_cast<uint32_t>(text.rfind(from));
+    document.replace({at, at + static_cast<uint32_t>(from.size())}, to);
+    const std::vector<Diagnostic> all = document.snapshot().diagnostics();
+    return std::ranges::find(all, Code::UndefinedName, &Diagnostic::code)->severity;
+  };
+  EXPECT_EQ(severity_after("f = c", "f = c + c"), Severity::Hint);
+  EXPECT_EQ(severity_after("f = c + c", "f = c + b"), Severity::Error);
+  EXPECT_EQ(severity_after("b = a + 1", "b = 1"), Severity::Hint);
+  EXPECT_EQ(severity_after("c = \\theta_h", "c = a + b"), Severity::Error);
+  EXPECT_EQ(document.snapshot().root_name(), "f");
+  EXPECT_EQ(severity_after("f_d = c", "f_d = \\theta_i"), Severity::Hint);
+  EXPECT_EQ(document.snapshot().root_name(), "f_d");
+  EXPECT_EQ(severity_after("c = a + b", "c = \\phi_i + a"), Severity::Error);
+  EXPECT_EQ(document.snapshot().root_name(), "f");
+  EXPECT_EQ(severity_after("b = 1", "b = c"), Severity::Error);
+  EXPECT_EQ(severity_after("c = \\phi_i + a", "c = b"), Severity::Hint) << "knots say nothing of directions";
+  EXPECT_EQ(document.snapshot().root_name(), "f_d");
 }
 
 TEST(Document, AfterAnyEditsItIsAsIfReadAnew) {

@@ -105,7 +105,7 @@ TEST(Models, AreWithoutFault) {
     const bool has_chain = path.stem() == "conventions";
     EXPECT_EQ(test::reports(snapshot, Severity::Warning), has_chain ? chain : std::vector<std::string>{}) << path;
     for (const Definition& definition : snapshot.definitions()) {
-      EXPECT_TRUE(definition.checked->usable) << path << ": " << snapshot.names().text(definition.name);
+      EXPECT_TRUE(definition.checked->sound) << path << ": " << snapshot.names().text(definition.name);
       EXPECT_NE(snapshot.linkable(definition.name), nullptr) << path;
     }
     const Result<ir::Program> program = snapshot.program();

@@ -134,10 +134,12 @@ TEST(ConstantValue, IsThereWhereNothingDependsOnDirections) {
       {"x = 2", {{2.0}}},           {"x = m * 4 + 1", {{3.0}}},      {"x = \\vec{1, 0.5, 0} * m", {{0.5, 0.25, 0.0}}},
       {"x = g(3)", {{9.0}}},        {"x = 0 * \\pi", {{0.0}}},       {"x = \\sqrt{16} + \\max(1, 2, 3)", {{7.0}}},
       {"x = c \\cdot c", {{1.25}}}, {"x = \\theta_i", std::nullopt}, {"x = \\vec{n} * 2", std::nullopt},
-      {"x(y) = 2", std::nullopt},   {"x = q", std::nullopt},
+      {"x(y) = 2", std::nullopt},   {"x = q", std::nullopt},         {"x = q + 1", std::nullopt},
+      {"x = e", std::nullopt},      {"x = t * 0", std::nullopt},
   };
   for (const Constant& expected : constants) {
-    Document document(equations({"m = 0.5", "c = \\vec{1, 0.5, 0}", "g(a) = a^2", expected.body}));
+    Document document(
+        equations({"m = 0.5", "c = \\vec{1, 0.5, 0}", "g(a) = a^2", "e = q + 1", "t = \\theta_i", expected.body}));
     const Snapshot& snapshot = document.snapshot();
     EXPECT_EQ(snapshot.constant_value(*snapshot.find("x")), expected.value) << expected.body;
   }
@@ -162,6 +164,9 @@ TEST(Program, SaysWhyItCannotBeHad) {
   const Failing failing[] = {
       {{"a = 1"}, "no equation defines `f`"},
       {{"a = q", "f = a"}, "`f` cannot be used: it or something that it needs has an error"},
+      {{"f = q + 1"}, "`f` cannot be used: it or something that it needs has an error"},
+      {{"a = q + 1", "b = a", "f = b"}, "`b` uses a name whose definition is missing or has errors"},
+      {{"g(x) = x + q", "f = \\sin(g(1))"}, "`f` cannot be used: it or something that it needs has an error"},
       {{"f(x) = x"}, "`f` is ℝ → ℝ, but a BRDF is ℝ or ℝ³, plain or a function of two vectors"},
   };
   for (const Failing& expected : failing) {

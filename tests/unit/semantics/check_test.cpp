@@ -78,16 +78,57 @@ INSTANTIATE_TEST_SUITE_P(
          {"E4002 [\\vec{n}] operand of `\\max`: expected ℝ, got ℝ³"}},
         {"no cascade upwards",
          {"a = \\exp(\\vec{n}) + \\vec{n} * (1 + \\exp(\\vec{h}) \\times 2)"},
-         "?",
+         "ℝ³",
          {"E4002 [\\vec{n}] operand of `\\exp`: expected ℝ, got ℝ³",
           "E4002 [\\vec{h}] operand of `\\exp`: expected ℝ, got ℝ³"}},
         {"no cascade to users", {"a = \\vec{n} + 1", "b = \\exp(a) + a \\times 2 + \\vec{n}"}, "?", {}},
     }));
 
+// `p` stands for what is not known, because it is defined in error.
+INSTANTIATE_TEST_SUITE_P(TypesThatErrorsLeaveKnown, Check,
+                         testing::ValuesIn(std::vector<Case>{
+                             {"sum with a real", {"p = q", "a = p + 1"}, "ℝ", {}},
+                             {"difference with a vector", {"p = q", "a = \\vec{n} - p"}, "ℝ³", {}},
+                             {"sum of nothing known", {"p = q", "a = p + p"}, "?", {}},
+                             {"product", {"p = q", "a = 2 * p"}, "?", {}},
+                             {"dot product, or scaled", {"p = q", "a = \\vec{n} \\cdot p"}, "?", {}},
+                             {"above a line", {"p = q", "a = \\frac{p}{2}"}, "?", {}},
+                             {"below a line", {"p = q", "a = \\frac{2}{p} + \\theta_h"}, "ℝ", {}},
+                             {"below a vector", {"p = q", "a = \\vec{n} / p"}, "ℝ³", {}},
+                             {"a vector below what is not known", {"p = q", "a = p / \\vec{n}"}, "?", {}},
+                             {"cross product", {"p = q", "a = p \\times p"}, "ℝ³", {}},
+                             {"cross product with a real", {"p = q", "a = 2 \\times p"}, "?", {}},
+                             {"power", {"p = q", "a = p^p"}, "ℝ", {}},
+                             {"power of a vector", {"p = q", "a = \\vec{n}^p"}, "?", {}},
+                             {"functions", {"p = q", "a = \\sin(p) + \\max(p, p) + \\sqrt[p]{p}"}, "ℝ", {}},
+                             {"functions with another fault",
+                              {"p = q", "a = \\max(p, \\vec{n})"},
+                              "?",
+                              {"E4002 [\\vec{n}] operand of `\\max`: expected ℝ, got ℝ³"}},
+                             {"calls", {"p = q", "g(x) = x * \\vec{n}", "a = g(p)"}, "ℝ³", {}},
+                             {"calls with too few arguments",
+                              {"p = q", "g(x, y) = x * y", "a = g(p)"},
+                              "?",
+                              {"E4004 [g(p)] `g` takes 2 arguments, got 1"}},
+                             {"in a function of undecided parameters", {"p = q", "g(x) = x * p + 1"}, "? → ℝ", {}},
+                             {"not by what a parameter might be", {"p = q", "g(x) = x + p"}, "? → ?", {}},
+                             {"a function in error", {"g(x) = \\exp(x) * q + 1", "a = g(1)"}, "ℝ", {}},
+                             {"a chain behind an error", {"p = q", "a = p + 1", "b = a * \\vec{n}"}, "ℝ³", {}},
+                             {"what no value of the unknown mends is left to its own definition",
+                              {"p = q", "a = \\exp(p) + \\vec{n}"},
+                              "?",
+                              {}},
+                             {"but it is told to users",
+                              {"p = q", "a = \\exp(p)", "b = a + \\vec{n}"},
+                              "?",
+                              {"E4001 [+] `+` between ℝ and ℝ³: it needs two operands of the same type"}},
+                             {"nothing of what cannot be read", {"a = (1 + 2"}, "?", {}},
+                         }));
+
 INSTANTIATE_TEST_SUITE_P(
     Names, Check,
     testing::ValuesIn(std::vector<Case>{
-        {"undefined", {"a = q + 1"}, "?", {"E3001 [q] undefined name `q` in the definition of `a`"}},
+        {"undefined", {"a = q + 1"}, "ℝ", {"E3001 [q] undefined name `q` in the definition of `a`"}},
         {"undefined in a call", {"a = q(1)"}, "?", {"E3001 [q] undefined name `q` in the definition of `a`"}},
         {"undefined twice has two places",
          {"a = q + q"},
@@ -111,7 +152,7 @@ INSTANTIATE_TEST_SUITE_P(
          {"a = sin 2"},
          "?",
          {"E3002 [sin] `sin` is a reserved word; the command is `\\sin`"}},
-        {"reserved word defined", {"max = 1"}, "?", {"E3002 [max] `max` is a reserved word; the command is `\\max`"}},
+        {"reserved word defined", {"max = 1"}, "ℝ", {"E3002 [max] `max` is a reserved word; the command is `\\max`"}},
         {"reserved word as parameter",
          {"g(max) = max"},
          "? → ?",
@@ -120,7 +161,7 @@ INSTANTIATE_TEST_SUITE_P(
          {"x_{max} = \\text{max}"},
          "?",
          {"E3001 [\\text{max}] undefined name `\\text{max}` in the definition of `x_{max}`"}},
-        {"unknown command", {"a = \\foo + 1"}, "?", {"E3003 [\\foo] unknown command `\\foo`"}},
+        {"unknown command", {"a = \\foo + 1"}, "ℝ", {"E3003 [\\foo] unknown command `\\foo`"}},
         {"unknown command with groups",
          {"a = \\foo{q}{\\vec{n} + 1} * 2"},
          "?",
@@ -140,9 +181,9 @@ INSTANTIATE_TEST_SUITE_P(
         {"calling a parameter", {"g(x) = x(3)"}, "? → ?", {"E3004 [x] `x` is called but is no function"}},
         {"function as a value",
          {"g(x) = x", "a = g + 1"},
-         "?",
+         "ℝ",
          {"E3005 [g] `g` is a function and stands here without arguments"}},
-        {"redefined constant", {"\\pi = 3"}, "?", {"E3007 [\\pi] `\\pi` is a constant and cannot be redefined"}},
+        {"redefined constant", {"\\pi = 3"}, "ℝ", {"E3007 [\\pi] `\\pi` is a constant and cannot be redefined"}},
         {"redefined epsilon as a function",
          {"\\epsilon(x) = x"},
          "? → ?",
@@ -153,7 +194,7 @@ INSTANTIATE_TEST_SUITE_P(
          {"E3011 [x] parameter `x` stands here for the second time"}},
         {"repeated parameter in another spelling",
          {"g(\\omega_i, \\vec{\\omega_i}) = 1"},
-         "ℝ³ × ℝ³ → ?",
+         "ℝ³ × ℝ³ → ℝ",
          {"E3011 [\\vec{\\omega_i}] parameter `\\omega_i` stands here for the second time"}},
     }));
 
@@ -161,7 +202,7 @@ INSTANTIATE_TEST_SUITE_P(
     Calls, Check,
     testing::ValuesIn(std::vector<Case>{
         {"too few", {"g(a, x) = a*x", "f = g(1)"}, "?", {"E4004 [g(1)] `g` takes 2 arguments, got 1"}},
-        {"too many", {"g(a) = a", "f = 1 + g(1, 2, 3)"}, "?", {"E4004 [g(1, 2, 3)] `g` takes 1 argument, got 3"}},
+        {"too many", {"g(a) = a", "f = 1 + g(1, 2, 3)"}, "ℝ", {"E4004 [g(1, 2, 3)] `g` takes 1 argument, got 3"}},
         {"wrong argument",
          {"g(a, x) = a*x", "f = g(1, ((\\vec{n})))"},
          "?",
@@ -172,9 +213,9 @@ INSTANTIATE_TEST_SUITE_P(
          {"E4003 [3] 3rd argument of `g`: expected ℝ³, got ℝ"}},
         {"faults inside arguments",
          {"g(a) = a", "f = g(q)"},
-         "?",
+         "ℝ",
          {"E3001 [q] undefined name `q` in the definition of `f`"}},
-        {"poisoned parameters take anything", {"g(x) = x \\times \\text{p}", "f = g(\\vec{n}) + g(1)"}, "?", {}},
+        {"poisoned parameters take anything", {"g(x) = x \\times \\text{p}", "f = g(\\vec{n}) + g(1)"}, "ℝ³", {}},
         {"known parameters of a function in error",
          {"g(\\vec{x}) = \\vec{x} + 1", "f = g(1)"},
          "?",
@@ -226,9 +267,9 @@ INSTANTIATE_TEST_SUITE_P(
          {"E4001 [\\times] `\\times` between ℝ and ℝ³: it needs two vectors"}},
         {"an error elsewhere leaves it open",
          {"g(x) = x \\times \\text{p}"},
-         "? → ?",
+         "? → ℝ³",
          {"E3001 [\\text{p}] undefined name `\\text{p}` in the definition of `g`"}},
-        {"poison leaves it open", {"p = q", "g(x, \\vec{y}) = x \\times p"}, "? × ℝ³ → ?", {}},
+        {"poison leaves it open", {"p = q", "g(x, \\vec{y}) = x \\times p"}, "? × ℝ³ → ℝ³", {}},
         {"hides a definition", {"b = \\vec{n}", "g(b) = b + 1"}, "ℝ → ℝ", {}},
         {"hides a function", {"b(x) = x", "g(b) = b + 1"}, "ℝ → ℝ", {}},
         {"hides conventions, constants too", {"s(\\theta_h, \\pi) = \\theta_h + 2 * \\pi"}, "ℝ × ℝ → ℝ", {}},
@@ -290,7 +331,7 @@ TEST(CheckDefinition, AFunctionOfManyParametersIsDecidedQuickly) {
     body += std::string(c == 'a' ? "" : "+") + "p_" + c + "\\times \\vec{n}";
   }
   const test::CheckedText text({left + ") = " + body});
-  EXPECT_TRUE(text.last().usable);
+  EXPECT_TRUE(text.last().sound);
   for (const CheckedParameter& parameter : text.last().parameters) EXPECT_EQ(parameter.type, Type::Vector);
 }
 
@@ -306,7 +347,7 @@ TEST(CheckDefinition, GivesUpOnAPuzzleOfManyParameters) {
   }
   body += " + \\exp(p_{0} * p_{1} * \\vec{n}) + \\exp(p_{0} * p_{1})";
   const test::CheckedText text({left + ") = " + body});
-  EXPECT_FALSE(text.last().usable);
+  EXPECT_FALSE(text.last().sound);
   EXPECT_FALSE(text.last().diagnostics.empty());
 }
 
@@ -330,6 +371,14 @@ TEST(SmallNameMap, FindsFewNamesAndMany) {
     EXPECT_EQ(map.names().size(), i + 1);
     for (uint32_t j = 0; j <= i; ++j) ASSERT_EQ(map.find(NameId{3 * j}), j);
   }
+}
+
+TEST(CheckDefinition, IsSoundWhereItCanBeLowered) {
+  EXPECT_TRUE(test::CheckedText({"a = 1"}).last().sound);
+  EXPECT_FALSE(test::CheckedText({"a = q + 1"}).last().sound);
+  EXPECT_FALSE(test::CheckedText({"p = q", "a = p + 1"}).last().sound);
+  EXPECT_FALSE(test::CheckedText({"p = q", "g(x) = x + 1 + p"}).last().sound);
+  EXPECT_TRUE(test::CheckedText({"a = q + 1", "b = a + 1"}).last().sound);
 }
 
 }  // namespace

@@ -40,8 +40,33 @@ TEST(OperatorRules, AreThoseOfTheLanguage) {
         EXPECT_EQ(result(op, left, right), expected);
         EXPECT_EQ(results(op, left, right).empty(), !expected.has_value());
       }
-      EXPECT_EQ(result(op, left, Type::Error), Type::Error);
-      EXPECT_EQ(result(op, Type::Error, left), Type::Error);
+      EXPECT_EQ(results(op, left, Type::Error), TypeSet(Type::Error));
+      EXPECT_EQ(results(op, Type::Error, left), TypeSet(Type::Error));
+    }
+  }
+}
+
+TEST(OperatorRules, GiveTheResultThatEveryTypeOfAnUnknownOperandHas) {
+  const Type operands[] = {Type::Real, Type::Vector};
+  const auto common = [&](Operator op, Type left, Type right) {
+    TypeSet found;
+    for (Type a : operands) {
+      for (Type b : operands) {
+        const bool is_reading = (left == Type::Error || left == a) && (right == Type::Error || right == b);
+        const std::optional<Type> type = is_reading ? result(op, a, b) : std::nullopt;
+        if (type) found = found | *type;
+      }
+    }
+    for (Type type : operands) {
+      if (found == TypeSet(type)) return type;
+    }
+    return Type::Error;
+  };
+  for (Operator op :
+       {Operator::Plus, Operator::Minus, Operator::Multiply, Operator::Divide, Operator::Cross, Operator::Power}) {
+    for (Type known : {Type::Error, Type::Real, Type::Vector}) {
+      EXPECT_EQ(result(op, known, Type::Error), common(op, known, Type::Error));
+      EXPECT_EQ(result(op, Type::Error, known), common(op, Type::Error, known));
     }
   }
 }
