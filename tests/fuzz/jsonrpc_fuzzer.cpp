@@ -38,7 +38,7 @@ class MemoryChannel final : public Channel {
     position_ += piece.size();
     return Status::Data;
   }
-  void write(std::string_view) override {}
+  void write(std::string) override {}
   void flush() override {}
 
  private:
