@@ -79,7 +79,8 @@ class LinkableDocument {
 
   std::vector<uint32_t> mentioned(const Source& source) const {
     std::vector<uint32_t> indices;
-    for (const NameId name : mentioned_names(*source.block, *source.syntax, source.names).names()) {
+    const SmallNameMap names = mentioned_names(*source.block, *source.syntax, source.names);
+    for (const NameId name : names.names()) {
       if (const auto found = by_name_.find(name); found != by_name_.end()) indices.push_back(found->second);
     }
     return indices;

@@ -356,10 +356,10 @@ TEST(MentionedNames, AreThoseOfTheBodyThatNoParameterHidesEachOnce) {
   const ParsedBlock block = parse_block(text, scan_blocks(text).at(0));
   NameTable table;
   const BlockNames names = read_names(block, table);
-  std::string mentioned;
-  for (const NameId name : mentioned_names(block, block.definitions.at(0), names).names())
-    mentioned += table.text(name);
-  EXPECT_EQ(mentioned, "ab");
+  const SmallNameMap mentioned = mentioned_names(block, block.definitions.at(0), names);
+  std::string text_of_names;
+  for (const NameId name : mentioned.names()) text_of_names += table.text(name);
+  EXPECT_EQ(text_of_names, "ab");
 }
 
 TEST(SmallNameMap, FindsFewNamesAndMany) {
