@@ -18,9 +18,13 @@ class NameReader {
   NameId name(uint32_t node) const { return definition_.at.block->analysed->names.by_node[node]; }
   const Referent& referent(uint32_t node) const { return definition_.checked().referents[node - syntax_.first_node]; }
   Span relative(uint32_t node) const { return parsed_.span(NodeId{node}); }
+  /// Each name means one thing: there is no parameter that hides one, and nothing that is not read.
+  bool is_plain() const {
+    return definition_.at.block->reports == 0 && parsed_.tree.node(syntax_.left).kind == NodeKind::Name;
+  }
 
   Occurrence occurrence(uint32_t node) const {
-    Occurrence found = without_target(node);
+    Occurrence found = without_target(node, referent(node));
     if (found.node != syntax_.name && found.referent.kind == Referent::Kind::Definition) {
       const std::optional<DefinitionKey> target = state_.find(found.name);
       if (target) found.target = state_.locate(*target).id();
@@ -29,7 +33,7 @@ class NameReader {
   }
 
   /// Of a reference the target is not looked up.
-  Occurrence without_target(uint32_t node) const {
+  Occurrence without_target(uint32_t node, const Referent& referent) const {
     Occurrence found;
     const Span span = relative(node);
     found.span = {definition_.at.offset + span.begin, definition_.at.offset + span.end};
@@ -37,7 +41,7 @@ class NameReader {
     found.block = definition_.at.id;
     found.name = name(node);
     found.inside = definition_.id();
-    found.referent = referent(node);
+    found.referent = referent;
     found.is_definition = node <= syntax_.left.value;
     if (found.node == syntax_.name) found.target = definition_.id();
     return found;
@@ -53,17 +57,17 @@ class NameReader {
 // A name that stands in one block of so many, or more, is not looked for block by block.
 constexpr uint32_t kFewest = 16;
 
-/// The blocks that may hold a name, in document order.
-std::vector<LocatedBlock> blocks_with(const Snapshot::State& state, NameId name) {
-  std::vector<LocatedBlock> blocks;
+/// Visits the blocks that may hold a name, in document order.
+template <typename Visit>
+void visit_blocks_with(const Snapshot::State& state, NameId name, const Visit& visit) {
   const NameOccurrences& occurrences = *state.occurrences.at(name.value).item;
   const bool is_in_most = occurrences.users.size() > state.segments.measure().blocks / kFewest;
   if (!state.lists_users || is_in_most) {
     state.segments.visit_from(0, [&](const Segment& segment, const Segment::Measure& before) {
-      if (segment.block) blocks.push_back(state.located(segment, before));
+      if (segment.block) visit(state.located(segment, before));
       return true;
     });
-    return blocks;
+    return;
   }
   std::vector<BlockLabel> labels;
   occurrences.definitions.visit_from(0, [&](const DefinitionKey& key, const DefinitionKey&) {
@@ -77,18 +81,12 @@ std::vector<LocatedBlock> blocks_with(const Snapshot::State& state, NameId name)
   std::ranges::sort(labels);
   const auto repeated = std::ranges::unique(labels);
   labels.erase(repeated.begin(), repeated.end());
-  for (BlockLabel label : labels) blocks.push_back(state.locate(label));
-  return blocks;
+  for (BlockLabel label : labels) visit(state.locate(label));
 }
 
 bool may_hold(const LocatedDefinition& definition, NameId name) {
   const std::span<const NameId> mentions = definition.at.block->analysed->mentions_of(definition.index_in_block);
   return definition.name() == name || std::ranges::find(mentions, name) != mentions.end();
-}
-
-// A name that refers to nothing is the same as any other that is spelled so.
-bool is_same_thing(const Occurrence& wanted, NameId name, const Referent& referent) {
-  return name == wanted.name && referent == wanted.referent;
 }
 
 }  // namespace
@@ -115,12 +113,14 @@ std::optional<Occurrence> Snapshot::occurrence_at(uint32_t offset) const {
 std::vector<Occurrence> Snapshot::occurrences_of(const Occurrence& occurrence) const {
   const DefinitionId in_force = find(occurrence.name).value_or(DefinitionId{});
   std::vector<Occurrence> found;
+  // A name that refers to nothing is the same as any other that is spelled so.
   const auto read = [&](const LocatedDefinition& definition) {
     const NameReader reader(*state_, definition);
+    const bool is_plain = reader.is_plain();
     for (uint32_t node = reader.begin(); node < reader.end(); ++node) {
-      if (!reader.name(node).valid()) continue;
-      if (!is_same_thing(occurrence, reader.name(node), reader.referent(node))) continue;
-      found.push_back(reader.without_target(node));
+      if (reader.name(node) != occurrence.name || !occurrence.name.valid()) continue;
+      if (!is_plain && reader.referent(node) != occurrence.referent) continue;
+      found.push_back(reader.without_target(node, occurrence.referent));
       const bool is_reference = found.back().referent.kind == Referent::Kind::Definition;
       if (is_reference && !found.back().target.valid()) found.back().target = in_force;
     }
@@ -129,12 +129,12 @@ std::vector<Occurrence> Snapshot::occurrences_of(const Occurrence& occurrence) c
     read(state_->locate(occurrence.inside));
     return found;
   }
-  for (const LocatedBlock& block : blocks_with(*state_, occurrence.name)) {
+  visit_blocks_with(*state_, occurrence.name, [&](const LocatedBlock& block) {
     for (uint32_t i = 0; i < block.block->definitions.size(); ++i) {
       const LocatedDefinition definition{block, i};
       if (may_hold(definition, occurrence.name)) read(definition);
     }
-  }
+  });
   // Unknown commands are in no list of names.
   if (found.empty() && occurrence.inside.valid()) read(state_->locate(occurrence.inside));
   return found;

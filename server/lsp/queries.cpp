@@ -49,11 +49,7 @@ Session::Outcome Session::references(const ReferenceParams& params, JsonWriter& 
   const Snapshot& snapshot = open->document.snapshot();
   const uint32_t offset = snapshot.text().offset(params.position, unit_);
   Positions places = positions(*open);
-  result.begin_array();
-  for (const Span span : features::references(snapshot, offset, params.include_declaration)) {
-    write_location(result, places, params.uri, span);
-  }
-  result.end_array();
+  write_locations(result, places, params.uri, features::references(snapshot, offset, params.include_declaration));
   return std::nullopt;
 }
 

@@ -15,9 +15,11 @@ void write_position(JsonWriter& out, Position position) {
   out.end_object();
 }
 
-/// In one piece: large results are ranges for the most part.
-void write_range(JsonWriter& out, std::string_view key, Range range) {
-  std::array<char, 112> text;
+namespace {
+
+using RangeText = std::array<char, 112>;
+
+std::string_view range_text(Range range, RangeText& text) {
   char* end = text.data();
   const auto literal = [&end](std::string_view piece) { end = std::ranges::copy(piece, end).out; };
   const auto number = [&](uint32_t value) { end = std::to_chars(end, text.data() + text.size(), value).ptr; };
@@ -30,8 +32,16 @@ void write_range(JsonWriter& out, std::string_view key, Range range) {
   literal(R"(,"character":)");
   number(range.end.column);
   literal("}}");
+  return {text.data(), end};
+}
+
+}  // namespace
+
+/// In one piece: large results are ranges for the most part.
+void write_range(JsonWriter& out, std::string_view key, Range range) {
+  RangeText text;
   out.key(key);
-  out.raw({text.data(), end});
+  out.raw(range_text(range, text));
 }
 
 namespace {
@@ -128,6 +138,26 @@ void write_location(JsonWriter& out, Positions& positions, std::string_view uri,
   write_uri(out, "uri", positions, uri, span);
   write_range(out, "range", positions.range(span));
   out.end_object();
+}
+
+void write_locations(JsonWriter& out, Positions& positions, std::string_view uri, std::span<const Span> spans) {
+  JsonWriter own_uri;
+  own_uri.value(uri);
+  const std::string begin = "{\"uri\":" + own_uri.take() + ",\"range\":";
+  std::string here;
+  RangeText text;
+  out.begin_array();
+  out.reserve(spans.size() * (begin.size() + text.size() / 2));
+  for (const Span span : spans) {
+    if (positions.is_elsewhere(span)) {
+      write_location(out, positions, uri, span);
+    } else {
+      here = begin;
+      here.append(range_text(positions.range(span), text)) += '}';
+      out.raw(here);
+    }
+  }
+  out.end_array();
 }
 
 void write_diagnostic_items(JsonWriter& out, Positions& positions, std::string_view uri,

@@ -24,6 +24,8 @@ void write_hover(JsonWriter& out, Positions& positions, const features::Hover& h
 void write_definition_link(JsonWriter& out, Positions& positions, std::string_view uri,
                            const features::DefinitionLink& link);
 void write_location(JsonWriter& out, Positions& positions, std::string_view uri, Span span);
+/// Location[]
+void write_locations(JsonWriter& out, Positions& positions, std::string_view uri, std::span<const Span> spans);
 
 /// What the client understands of a diagnostic beyond its place and text.
 struct DiagnosticStyle {
