@@ -42,7 +42,7 @@ class Outbox {
   };
 
   Log& log_;
-  Send send_ = [](std::string) {};
+  Send send_ = [](const std::string&) {};
   int64_t next_id_ = 1;
   std::map<int64_t, Waiting> waiting_;
 };
