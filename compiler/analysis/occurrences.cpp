@@ -10,12 +10,17 @@ namespace {
 class NameReader {
  public:
   NameReader(const Snapshot::State& state, const LocatedDefinition& definition)
-      : state_(state), definition_(definition), parsed_(definition.at.parsed()), syntax_(definition.syntax()) {}
+
+      : state_(state),
+        definition_(definition),
+        parsed_(definition.at.parsed()),
+        syntax_(definition.syntax()),
+        names_(definition.at.block->analysed->names.by_node) {}
 
   uint32_t begin() const { return syntax_.first_node; }
   uint32_t end() const { return syntax_.node.value; }
 
-  NameId name(uint32_t node) const { return definition_.at.block->analysed->names.by_node[node]; }
+  NameId name(uint32_t node) const { return names_[node]; }
   const Referent& referent(uint32_t node) const { return definition_.checked().referents[node - syntax_.first_node]; }
   Span relative(uint32_t node) const { return parsed_.span(NodeId{node}); }
   /// Each name means one thing: there is no parameter that hides one, and nothing that is not read.
@@ -52,6 +57,7 @@ class NameReader {
   const LocatedDefinition& definition_;
   const ParsedBlock& parsed_;
   const DefinitionSyntax& syntax_;
+  const std::span<const NameId> names_;  // by node
 };
 
 // A name that stands in one block of so many, or more, is not looked for block by block.
