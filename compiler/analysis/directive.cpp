@@ -3,18 +3,12 @@
 #include <algorithm>
 
 #include "semantics/names.h"
+#include "source/trimmed.h"
 
 namespace texbrdf {
 namespace {
 
 constexpr std::string_view kMark = "texbrdf:";
-constexpr std::string_view kBlanks = " \t\r";
-
-std::string_view trimmed(std::string_view text) {
-  const size_t first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
 
 Directive::Kind kind_of(std::string_view word) {
   if (word == "root") return Directive::Kind::Root;

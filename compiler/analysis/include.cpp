@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "source/trimmed.h"
+
 namespace texbrdf {
 namespace {
 
@@ -51,12 +53,6 @@ std::string without_comments(std::string_view document) {
     is_escaped = c == '\\' && !is_escaped;
   }
   return result;
-}
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kSpace = " \t\r\n";
-  text = text.substr(std::min(text.find_first_not_of(kSpace), text.size()));
-  return text.substr(0, text.find_last_not_of(kSpace) + 1);
 }
 
 /// Takes `[…]` or `{…}` from the front of the text and gives what stands in it.

@@ -10,7 +10,6 @@ namespace {
 class NameReader {
  public:
   NameReader(const Snapshot::State& state, const LocatedDefinition& definition)
-
       : state_(state),
         definition_(definition),
         parsed_(definition.at.parsed()),
@@ -119,13 +118,15 @@ std::optional<Occurrence> Snapshot::occurrence_at(uint32_t offset) const {
 std::vector<Occurrence> Snapshot::occurrences_of(const Occurrence& occurrence) const {
   const DefinitionId in_force = find(occurrence.name).value_or(DefinitionId{});
   std::vector<Occurrence> found;
+  if (occurrence.name.value >= state_->occurrences.size()) return found;
+  const bool is_what_names_mean = occurrence.referent.kind == Referent::Kind::Definition && in_force.valid();
   // A name that refers to nothing is the same as any other that is spelled so.
   const auto read = [&](const LocatedDefinition& definition) {
     const NameReader reader(*state_, definition);
-    const bool is_plain = reader.is_plain();
+    const bool is_the_same = is_what_names_mean && reader.is_plain();
     for (uint32_t node = reader.begin(); node < reader.end(); ++node) {
-      if (reader.name(node) != occurrence.name || !occurrence.name.valid()) continue;
-      if (!is_plain && reader.referent(node) != occurrence.referent) continue;
+      if (reader.name(node) != occurrence.name) continue;
+      if (!is_the_same && reader.referent(node) != occurrence.referent) continue;
       found.push_back(reader.without_target(node, occurrence.referent));
       const bool is_reference = found.back().referent.kind == Referent::Kind::Definition;
       if (is_reference && !found.back().target.valid()) found.back().target = in_force;

@@ -5,33 +5,25 @@
 #include <cmath>
 #include <string>
 
+#include "source/trimmed.h"
+
 namespace texbrdf {
 namespace {
 
-bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\n';
-}
-
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
-}
-
-std::string_view trim(std::string_view text) {
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  return text;
 }
 
 // Without the percent signs.
 std::string_view comment_text(const ParsedBlock& block, Span comment) {
   std::string_view text = block.slice(comment);
   while (text.starts_with('%')) text.remove_prefix(1);
-  return trim(text);
+  return trimmed(text);
 }
 
 // Takes a number with its sign off the front.
 std::optional<double> take_number(std::string_view& text) {
-  text = trim(text);
+  text = trimmed(text);
   std::string_view digits = text;
   if (digits.starts_with('+')) digits.remove_prefix(1);
   if (digits.starts_with('-') && digits.size() != text.size()) return std::nullopt;
@@ -43,7 +35,7 @@ std::optional<double> take_number(std::string_view& text) {
 }
 
 bool take(std::string_view& text, char expected) {
-  text = trim(text);
+  text = trimmed(text);
   if (!text.starts_with(expected)) return false;
   text.remove_prefix(1);
   return true;
@@ -67,7 +59,7 @@ std::optional<Range> read_range(std::string_view text) {
 std::optional<std::string_view> range_words(std::string_view comment) {
   constexpr std::string_view kWord = "range";
   if (!comment.starts_with(kWord)) return std::nullopt;
-  const std::string_view rest = trim(comment.substr(kWord.size()));
+  const std::string_view rest = trimmed(comment.substr(kWord.size()));
   if (rest.empty()) return std::nullopt;
   const char first = rest.front();
   const bool is_meant = first == '[' || first == '(' || first == '-' || first == '+' || first == '.' || is_digit(first);

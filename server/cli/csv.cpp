@@ -9,6 +9,8 @@
 #include <optional>
 #include <span>
 
+#include "source/trimmed.h"
+
 namespace texbrdf::cli {
 namespace {
 
@@ -51,9 +53,8 @@ class Lines {
   std::size_t number_ = 0;
 };
 
-std::string_view trimmed(std::string_view cell) {
-  while (cell.starts_with(' ') || cell.starts_with('\t')) cell.remove_prefix(1);
-  while (cell.ends_with(' ') || cell.ends_with('\t')) cell.remove_suffix(1);
+std::string_view content_of(std::string_view cell) {
+  cell = trimmed(cell, " \t");
   if (cell.size() >= 2 && cell.starts_with('"') && cell.ends_with('"')) cell = cell.substr(1, cell.size() - 2);
   return cell;
 }
@@ -62,7 +63,7 @@ std::vector<std::string_view> split(std::string_view line) {
   std::vector<std::string_view> cells;
   while (true) {
     const std::size_t comma = line.find(',');
-    cells.push_back(trimmed(line.substr(0, comma)));
+    cells.push_back(content_of(line.substr(0, comma)));
     if (comma == std::string_view::npos) return cells;
     line.remove_prefix(comma + 1);
   }
@@ -144,7 +145,7 @@ Result<DirectionTable> read_directions(std::string_view csv) {
   DirectionTable table;
   table.has_frame = places->back() != kAbsent;
   while (const auto line = lines.next()) {
-    if (trimmed(*line).empty()) continue;
+    if (content_of(*line).empty()) continue;
     const std::vector<std::string_view> cells = split(*line);
     eval::Geometry geometry;
     const auto numbers = numbers_of(geometry);

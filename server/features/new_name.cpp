@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "semantics/names.h"
+#include "source/trimmed.h"
 #include "syntax/block_scanner.h"
 #include "syntax/control_words.h"
 #include "syntax/parsed_block.h"
@@ -16,13 +17,6 @@ namespace {
 
 /// It may come to stand in thousands of places.
 constexpr std::size_t kLongestName = 1000;
-
-std::string_view trimmed(std::string_view text) {
-  const auto is_space = [](char c) { return c == ' ' || c == '\t'; };
-  while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
-  return text;
-}
 
 bool is_command(std::string_view text) {
   if (!text.starts_with('\\')) return false;
@@ -44,7 +38,7 @@ std::string canonical_of(std::string_view text) {
 }  // namespace
 
 Result<NewName> read_new_name(std::string_view typed) {
-  const std::string_view text = trimmed(typed);
+  const std::string_view text = trimmed(typed, " \t");
   if (text.empty()) return Failure{"the new name is empty"};
   if (text.size() > kLongestName) return Failure{"the name is too long"};
   if (is_command(text)) return Failure{fmt::format("`{}` is a command, not a name", text)};

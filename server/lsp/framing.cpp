@@ -6,6 +6,8 @@
 #include <charconv>
 #include <utility>
 
+#include "source/trimmed.h"
+
 namespace texbrdf::lsp {
 namespace {
 
@@ -31,12 +33,6 @@ bool is_field(std::string_view line) {
   if (colon == 0 || colon == std::string_view::npos) return false;
   return std::all_of(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(colon),
                      [](char c) { return (lower(c) >= 'a' && lower(c) <= 'z') || c == '-'; });
-}
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
 std::optional<uint64_t> natural_number(std::string_view text) {
@@ -100,7 +96,7 @@ FrameDecoder::HeaderState FrameDecoder::read_header(std::string& problem) {
       return HeaderState::Broken;
     }
     if (starts_with_content_length(line)) {
-      const std::string_view number = trimmed(line.substr(kContentLength.size()));
+      const std::string_view number = trimmed(line.substr(kContentLength.size()), " \t");
       length = natural_number(number);
       if (!length) problem = fmt::format("Content-Length is no natural number: {}", number.substr(0, 80));
       if (length && *length > max_message_bytes_) {

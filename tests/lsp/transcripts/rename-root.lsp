@@ -1,5 +1,5 @@
 # The name of the root in an instruction is a place of the name, in whatever file it stands.
-file main.tex
+file paper.tex
 | % texbrdf: root = s_{ 1}
 | \input{part}
 | \begin{equation} f = s_1 \end{equation}
@@ -13,7 +13,7 @@ open part.tex
 <- {
      "method": "textDocument/publishDiagnostics",
      "params": {
-       "uri": "main.tex",
+       "uri": "paper.tex",
        "diagnostics": [{"range":"3:18-3:19","severity":4,"code":"E3013","source":"texbrdf","message":"nothing uses `f`"}]
      }
    }
@@ -22,44 +22,44 @@ open part.tex
      "id": 1,
      "result": {
        "changes": {
-         "file:///work/main.tex": [{"range":"1:19-1:25","newText":"\\rho_d"},{"range":"3:22-3:25","newText":"\\rho_d"}],
+         "file:///work/paper.tex": [{"range":"1:19-1:25","newText":"\\rho_d"},{"range":"3:22-3:25","newText":"\\rho_d"}],
          "file:///work/part.tex": [{"range":"1:18-1:23","newText":"\\rho_d"}]
        }
      }
    }
-open main.tex
+open paper.tex
 | % texbrdf: root = s_{ 1}
 | \input{part}
 | \begin{equation} f = s_1 \end{equation}
 <- {
      "method": "textDocument/publishDiagnostics",
      "params": {
-       "uri": "main.tex",
+       "uri": "paper.tex",
        "version": 1,
        "diagnostics": [{"range":"3:18-3:19","severity":4,"code":"E3013","source":"texbrdf","message":"nothing uses `f`"}]
      }
    }
--> textDocument/prepareRename {"doc": "main.tex", "at": "1:19"}
+-> textDocument/prepareRename {"doc": "paper.tex", "at": "1:19"}
 <- {"id":2,"result":{"range":"1:19-1:25","placeholder":"s_{ 1}"}}
--> textDocument/rename {"doc": "main.tex", "at": "1:19", "newName": "f_r"}
+-> textDocument/rename {"doc": "paper.tex", "at": "1:19", "newName": "f_r"}
 <- {
      "id": 3,
      "result": {
        "changes": {
-         "file:///work/main.tex": [{"range":"1:19-1:25","newText":"f_r"},{"range":"3:22-3:25","newText":"f_r"}],
+         "file:///work/paper.tex": [{"range":"1:19-1:25","newText":"f_r"},{"range":"3:22-3:25","newText":"f_r"}],
          "file:///work/part.tex": [{"range":"1:18-1:23","newText":"f_r"}]
        }
      }
    }
--> textDocument/rename {"doc": "main.tex", "at": "1:19", "newName": "f"}
+-> textDocument/rename {"doc": "paper.tex", "at": "1:19", "newName": "f"}
 <- {"id":4,"error":{"code":-32803,"message":"`f` is defined already, on line 3"}}
-change main.tex 1:19-1:25 "f"
-<- {"method":"textDocument/publishDiagnostics","params":{"uri":"main.tex","version":2,"diagnostics":[]}}
--> textDocument/rename {"doc": "main.tex", "at": "3:18", "newName": "g"}
+change paper.tex 1:19-1:25 "f"
+<- {"method":"textDocument/publishDiagnostics","params":{"uri":"paper.tex","version":2,"diagnostics":[]}}
+-> textDocument/rename {"doc": "paper.tex", "at": "3:18", "newName": "g"}
 <- {
      "id": 5,
      "result": {
-       "changes": {"file:///work/main.tex":[{"range":"1:19-1:20","newText":"g"},{"range":"3:18-3:19","newText":"g"}]}
+       "changes": {"file:///work/paper.tex":[{"range":"1:19-1:20","newText":"g"},{"range":"3:18-3:19","newText":"g"}]}
      }
    }
 => exit status 1

@@ -89,6 +89,10 @@ TEST(OccurrencesOf, AreAllPlacesOfOneThingInOrder) {
   EXPECT_EQ(lines_of(convention), (std::vector<uint32_t>{2, 10}));
   Cursor undefined(equations({"b = |q", "f = q"}));
   EXPECT_EQ(lines_of(undefined), (std::vector<uint32_t>{2, 6}));
+  Cursor unread(equations({"b = \\foo{|a}", "a = 1", "f = a"}));
+  EXPECT_EQ(lines_of(unread), (std::vector<uint32_t>{2})) << "what is not read is no use of `a`";
+  Cursor constant(equations({"|\\pi = 3", "f = \\pi"}));
+  EXPECT_EQ(lines_of(constant), (std::vector<uint32_t>{2})) << "the other one is that of the convention";
 }
 
 TEST(Snapshot, FindsTheDefinitionInForce) {
