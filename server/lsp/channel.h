@@ -17,6 +17,8 @@ class Channel {
   virtual Status read(std::string& buffer, int timeout_ms) = 0;
   /// Takes the bytes at once and passes them on as the client reads; never waits.
   virtual void write(std::string bytes) = 0;
+  /// Ends a wait in `read`, now or the next one. The only call for any thread.
+  virtual void wake() = 0;
   /// Waits until the client has taken all that was written, but not for ever.
   virtual void flush() = 0;
 };

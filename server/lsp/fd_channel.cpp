@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/eventfd.h>
 #include <unistd.h>
 
 #include <array>
@@ -26,7 +27,11 @@ bool would_block() {
 }  // namespace
 
 FdChannel::FdChannel(int input_fd, int output_fd)
-    : input_fd_(input_fd), output_fd_(output_fd), output_flags_(fcntl(output_fd, F_GETFL)), chunk_(kReadBytes) {
+    : input_fd_(input_fd),
+      output_fd_(output_fd),
+      output_flags_(fcntl(output_fd, F_GETFL)),
+      wake_fd_(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)),
+      chunk_(kReadBytes) {
   std::signal(SIGPIPE, SIG_IGN);
   if (output_flags_ >= 0) fcntl(output_fd_, F_SETFL, output_flags_ | O_NONBLOCK);
   fcntl(output_fd_, F_SETPIPE_SZ, kPipeBytes);
@@ -34,15 +39,23 @@ FdChannel::FdChannel(int input_fd, int output_fd)
 
 FdChannel::~FdChannel() {
   if (output_flags_ >= 0) fcntl(output_fd_, F_SETFL, output_flags_);
+  if (wake_fd_ >= 0) close(wake_fd_);
+}
+
+void FdChannel::wake() {
+  const uint64_t one = 1;
+  if (::write(wake_fd_, &one, sizeof one) < 0) return;  // it is awake already
 }
 
 Channel::Status FdChannel::read(std::string& buffer, int timeout_ms) {
   if (input_closed_ || output_closed_) return Status::Closed;
-  std::array<pollfd, 2> watched = {{{input_fd_, POLLIN, 0}, {output_fd_, POLLOUT, 0}}};
+  std::array<pollfd, 3> watched = {{{input_fd_, POLLIN, 0}, {output_fd_, POLLOUT, 0}, {wake_fd_, POLLIN, 0}}};
   if (unsent_ > kMaxUnsentBytes) watched[0].fd = -1;
   if (unsent_ == 0) watched[1].fd = -1;
   if (poll(watched.data(), watched.size(), timeout_ms) <= 0) return Status::Idle;
   if (watched[1].revents != 0) send();
+  uint64_t wakes = 0;
+  if (watched[2].revents != 0 && ::read(wake_fd_, &wakes, sizeof wakes) < 0) return Status::Idle;
   if (output_closed_) return Status::Closed;
   return watched[0].revents != 0 ? receive(buffer) : Status::Idle;
 }

@@ -22,6 +22,7 @@ class FdChannel final : public Channel {
   Status read(std::string& buffer, int timeout_ms) override;
   void write(std::string bytes) override;
   void flush() override;
+  void wake() override;
 
  private:
   Status receive(std::string& buffer);
@@ -31,6 +32,7 @@ class FdChannel final : public Channel {
   int input_fd_;
   int output_fd_;
   int output_flags_;
+  int wake_fd_;  ///< an eventfd
   std::vector<char> chunk_;
   std::deque<std::string> outgoing_;
   std::size_t sent_ = 0;    ///< bytes of the first outgoing text that the client has

@@ -55,6 +55,16 @@ void write_workspace_capabilities(JsonWriter& out) {
   out.end_object();
 }
 
+void write_experimental_capabilities(JsonWriter& out) {
+  out.key("experimental");
+  out.begin_object();
+  out.key("texbrdf");
+  out.begin_object();
+  out.member("preview", true);
+  out.end_object();
+  out.end_object();
+}
+
 }  // namespace
 
 Session::Outcome Session::initialize(const InitializeParams& params, JsonWriter& result) {
@@ -104,6 +114,7 @@ void Session::write_capabilities(JsonWriter& out) const {
     write_provider(out, provider.feature, client_);
   }
   write_workspace_capabilities(out);
+  write_experimental_capabilities(out);
   out.end_object();
 }
 
@@ -117,6 +128,7 @@ std::string Session::initialized(const NoParams&) {
 Session::Outcome Session::shutdown(const NoParams&, JsonWriter& result) {
   phase_ = Phase::ShutDown;
   shut_down_ = true;
+  previews_.clear();
   documents_.clear();
   closed_.clear();
   outbox_.forget_requests();

@@ -151,12 +151,13 @@ void MessageHandler::publish_next() {
   log_.debug(fmt::format("textDocument/publishDiagnostics: {:.3f} ms", watch.milliseconds()));
 }
 
-void MessageHandler::prepare_for_edits() {
+void MessageHandler::use_idle_time() {
   if (is_resting()) return;
   try {
+    session_.refresh_previews();
     session_.prepare_for_edits();
   } catch (const std::exception& fault) {
-    recover("preparation for edits", fault);
+    recover("idle time", fault);
   }
 }
 

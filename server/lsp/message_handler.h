@@ -33,8 +33,8 @@ class MessageHandler {
   bool has_publications();
   /// Sends the diagnostics of one document that the client lacks.
   void publish_next();
-  /// While there is nothing else to do.
-  void prepare_for_edits();
+  /// While there is nothing else to do: previews follow their documents, and the next edits are prepared.
+  void use_idle_time();
 
  private:
   void handle_request(const IncomingMessage& message, bool cancelled);

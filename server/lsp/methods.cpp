@@ -38,6 +38,15 @@ void Session::bind_methods(Dispatcher& bind) {
   bind.request("textDocument/codeLens", *this, &Session::code_lens);
   bind.request("codeLens/resolve", *this, &Session::resolve_code_lens);
 
+  bind.request("texbrdf/openPreview", *this, &Session::open_preview);
+  bind.notification("texbrdf/updatePreview", *this, &Session::update_preview);
+  bind.notification("texbrdf/closePreview", *this, &Session::close_preview);
+  bind.notification("texbrdf/frameShown", *this, &Session::frame_shown);
+  bind.notification("texbrdf/setParameter", *this, &Session::set_parameter);
+  bind.request("texbrdf/parameters", *this, &Session::parameters);
+  bind.request("texbrdf/parameterEdit", *this, &Session::parameter_edit);
+  bind.request("texbrdf/roots", *this, &Session::roots);
+  bind.request("texbrdf/emit", *this, &Session::emit);
   bind.request("texbrdf/stats", *this, &Session::stats);
 }
 

@@ -38,6 +38,7 @@ class Server {
         session_(log, client_process_, options.version, options.docs_url),
         handler_(session_, methods_, log, [&channel](std::string body) { channel.write(frame(std::move(body))); }) {
     session_.bind_methods(methods_);
+    session_.connect_wake([&channel] { channel.wake(); });
   }
 
   int run();
@@ -59,8 +60,9 @@ class Server {
 int Server::run() {
   while (session_.phase() != Session::Phase::Exited) {
     const bool idle = queue_.empty() && !handler_.has_publications();
-    if (idle) handler_.prepare_for_edits();
+    if (idle) handler_.use_idle_time();
     const Channel::Status status = queue_.receive(idle ? kProcessCheckMs : 0);
+    session_.send_frames();
     if (!handler_.has_publications()) messages_since_publication_ = 0;
     if (handler_.has_publications() &&
         (queue_.empty() || messages_since_publication_ >= kMaxMessagesBetweenPublications)) {

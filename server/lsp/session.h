@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -23,6 +24,7 @@
 #include "lsp/log.h"
 #include "lsp/outbox.h"
 #include "lsp/positions.h"
+#include "lsp/previews.h"
 #include "lsp/protocol.h"
 #include "lsp/providers.h"
 #include "lsp/semantic_tokens.h"
@@ -79,6 +81,12 @@ class Session {
   void prepare_for_edits() {
     for (auto& [uri, open] : documents_.all()) open.document.prepare_for_edits();
   }
+  /// `wake` may be called by any thread: `send_frames` then has something to send.
+  void connect_wake(std::function<void()> wake) { previews_.connect(std::move(wake)); }
+  /// Has what the previews show drawn anew where their documents have changed.
+  void refresh_previews();
+  void send_frames();
+
   bool has_publications() {
     notice_projects();
     return !closed_.empty() || !elsewhere_.empty() ||
@@ -172,6 +180,18 @@ class Session {
   Outcome references(const ReferenceParams& params, JsonWriter& result);
   Outcome stats(const NoParams& params, JsonWriter& result);
 
+  // preview.cpp
+  Outcome open_preview(const OpenPreviewParams& params, JsonWriter& result);
+  std::string update_preview(const UpdatePreviewParams& params);
+  std::string close_preview(const PreviewParams& params);
+  std::string frame_shown(const PreviewParams& params);
+  std::string set_parameter(const SetParameterParams& params);
+  Outcome parameters(const ModelParams& params, JsonWriter& result);
+  Outcome parameter_edit(const ParameterEditParams& params, JsonWriter& result);
+  Outcome roots(const ModelParams& params, JsonWriter& result);
+  Outcome emit(const EmitParams& params, JsonWriter& result);
+  void show(int64_t id, const OpenPreview& preview);
+
   static ResponseError not_open(std::string_view uri);
 
   Log& log_;
@@ -196,6 +216,7 @@ class Session {
   uint64_t last_result_ = 0;                            ///< id of the last pulled result
   uint64_t last_progress_ = 0;                          ///< token of the last progress that the server began
   uint64_t last_token_result_ = 0;                      ///< id of the last semantic tokens
+  Previews previews_;
   Outbox outbox_;
 };
 

@@ -22,6 +22,7 @@ std::string closed_problem(std::string_view uri) {
 std::string Session::did_open(const DidOpenParams& params) {
   if (params.text.size() > SourceText::kMaxBytes) return "the document is too long";
   std::erase(closed_, params.uri);
+  previews_.note_change();
   OpenDocument& open = documents_.open(params.uri, params.text, params.version);
   log_.debug(fmt::format("{} is open, {}, version {}, {} bytes", shown_path(params.uri), params.language_id,
                          params.version, params.text.size()));
@@ -35,6 +36,7 @@ std::string Session::did_change(const DidChangeParams& params) {
   for (const ContentChange& change : params.changes) apply(change, *open);
   open->version = params.version;
   open->published = false;
+  previews_.note_change();
   return {};
 }
 
@@ -60,6 +62,7 @@ std::string Session::did_save(const DocumentParams& params) {
 std::string Session::did_close(const DocumentParams& params) {
   if (!documents_.close(params.uri)) return closed_problem(params.uri);
   if (pushes_diagnostics()) closed_.push_back(params.uri);
+  previews_.close_all(params.uri);
   return {};
 }
 

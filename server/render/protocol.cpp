@@ -56,6 +56,8 @@ void put_view(ByteWriter& writer, const SphereView& view) {
   writer.put(view.phi);
   writer.put(view.gamma);
   writer.put(view.exposure);
+  writer.put(view.zoom);
+  writer.put(uint8_t{view.times_cosine});
 }
 
 SphereView get_view(ByteReader& reader) {
@@ -65,6 +67,8 @@ SphereView get_view(ByteReader& reader) {
   view.phi = reader.get<double>();
   view.gamma = reader.get<double>();
   view.exposure = reader.get<double>();
+  view.zoom = reader.get<double>();
+  view.times_cosine = reader.get<uint8_t>() != 0;
   return view;
 }
 

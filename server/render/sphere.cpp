@@ -10,7 +10,7 @@ namespace texbrdf::render {
 
 namespace {
 
-/// The sphere's radius as a part of the picture's width.
+/// The sphere's radius as a part of the picture's width, not zoomed.
 constexpr double kRadius = 0.45;
 
 struct Point {
@@ -82,11 +82,12 @@ std::optional<std::string> find_fault(const SphereView& view) {
   if (!std::isfinite(view.theta) || !std::isfinite(view.phi)) return "theta and phi are angles in degrees";
   if (!(view.gamma >= 0.1 && view.gamma <= 10)) return fmt::format("gamma is 0.1 to 10, not {}", view.gamma);
   if (!(std::abs(view.exposure) <= 60)) return fmt::format("exposure is -60 to 60, not {}", view.exposure);
+  if (!(view.zoom >= 0.1 && view.zoom <= 100)) return fmt::format("zoom is 0.1 to 100, not {}", view.zoom);
   return std::nullopt;
 }
 
 bool same_geometry(const SphereView& a, const SphereView& b) {
-  return a.size == b.size && a.theta == b.theta && a.phi == b.phi;
+  return a.size == b.size && a.theta == b.theta && a.phi == b.phi && a.zoom == b.zoom;
 }
 
 SphereGeometry make_sphere_geometry(const SphereView& view) {
@@ -97,7 +98,7 @@ SphereGeometry make_sphere_geometry(const SphereView& view) {
   reserve(geometry, geometry.alpha.size());
   const auto& [light_x, light_y, light_z] = geometry.light;
   const double middle = view.size / 2.0;
-  const double radius = kRadius * view.size;
+  const double radius = kRadius * view.size * view.zoom;
   for (uint32_t row = 0; row < view.size; ++row) {
     for (uint32_t column = 0; column < view.size; ++column) {
       const uint32_t pixel = row * view.size + column;

@@ -10,13 +10,15 @@ namespace texbrdf::render {
 
 inline constexpr uint32_t kMaxPictureSize = 4096;
 
-/// A unit sphere that fills 90 % of a square picture, seen along -z, lit from one direction.
+/// A unit sphere that fills 90 % of a square picture (times `zoom`), seen along -z, lit from one direction.
 struct SphereView {
   uint32_t size = 256;       ///< pixels, width and height; 1 to kMaxPictureSize
   double theta = 33.8941;    ///< degrees between the light and the view axis
   double phi = 145.826;      ///< degrees of the light around the view axis, counter-clockwise from +x (right)
   double gamma = 2.112;      ///< 0.1 to 10
   double exposure = -1.248;  ///< stops, -60 to 60
+  double zoom = 1;           ///< 0.1 to 100
+  bool times_cosine = true;  ///< f · N·L, or f alone
   friend bool operator==(const SphereView&, const SphereView&) = default;
 };
 
@@ -42,7 +44,7 @@ struct SphereGeometry {
   std::size_t point_count() const { return pixels.size(); }
 };
 
-/// Whether two views show the same points: gamma and exposure do not matter.
+/// Whether two views show the same points: what is done with their values does not matter.
 bool same_geometry(const SphereView& a, const SphereView& b);
 
 /// The view has no fault.

@@ -67,13 +67,16 @@ struct ToneMapper::State {
   const SphereGeometry& geometry;
   GammaTable encode;
   float exposure;
+  bool times_cosine;
   Picture picture;
 };
 
 ToneMapper::ToneMapper(const SphereGeometry& geometry, const SphereView& view)
-    : state_(new State{
-          geometry, GammaTable(view.gamma), static_cast<float>(std::exp2(view.exposure)), {black_disc(geometry), {}}}) {
-}
+    : state_(new State{geometry,
+                       GammaTable(view.gamma),
+                       static_cast<float>(std::exp2(view.exposure)),
+                       view.times_cosine,
+                       {black_disc(geometry), {}}}) {}
 ToneMapper::~ToneMapper() = default;
 
 void ToneMapper::add(std::size_t first, std::size_t count, const ShadedValues& values) {
@@ -88,7 +91,8 @@ void ToneMapper::add(std::size_t first, std::size_t count, const ShadedValues& v
       std::copy_n(bad_pixel_entry(*bad).colour.begin(), 3, pixel);
       continue;
     }
-    const float scale = geometry.cosines[first + i] * state_->exposure;
+    const float cosine = state_->times_cosine ? geometry.cosines[first + i] : 1;
+    const float scale = cosine * state_->exposure;
     for (std::size_t c = 0; c < 3; ++c) pixel[c] = state_->encode(value[c] * scale);
   }
 }

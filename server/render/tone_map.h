@@ -22,7 +22,8 @@ struct ShadedValues {
   std::size_t stride = 1;
 };
 
-/// (f · N·L · 2^exposure)^(1/gamma), rounded exactly, with bad values marked and counted: the same for every device.
+/// (f · N·L · 2^exposure)^(1/gamma), or without N·L, rounded exactly, with bad values marked and counted: the same for
+/// every device.
 class ToneMapper {
  public:
   /// Both outlive the mapper.

@@ -39,6 +39,7 @@ class MemoryChannel final : public Channel {
     return Status::Data;
   }
   void write(std::string) override {}
+  void wake() override {}
   void flush() override {}
 
  private:

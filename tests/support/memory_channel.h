@@ -31,6 +31,7 @@ class MemoryChannel final : public lsp::Channel {
   }
   void write(std::string bytes) override { replies_.back() += bytes; }
   void flush() override {}
+  void wake() override {}
 
   /// What was written after each chunk; the last one is behind the end of the input.
   const std::vector<std::string>& replies() const { return replies_; }

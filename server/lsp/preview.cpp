@@ -1,0 +1,205 @@
+#include <fmt/format.h>
+
+#include <variant>
+
+#include "emit/emit.h"
+#include "features/model_parameters.h"
+#include "lsp/base64.h"
+#include "lsp/session.h"
+
+namespace texbrdf::lsp {
+namespace {
+
+std::string unknown_preview(int64_t id) {
+  return fmt::format("there is no preview {}", id);
+}
+
+void write_value(JsonWriter& out, const features::ModelParameter& parameter) {
+  out.key("value");
+  out.begin_array();
+  for (uint32_t i = 0; i < type_components(parameter.type); ++i) out.value(parameter.value[i]);
+  out.end_array();
+}
+
+void write_parameter(JsonWriter& out, Positions& positions, const features::ModelParameter& parameter) {
+  out.begin_object();
+  out.member("name", parameter.name);
+  out.member("label", parameter.spelling);
+  out.member("type", parameter.type == Type::Real ? "real" : "colour");
+  write_value(out, parameter);
+  out.member("low", parameter.low);
+  out.member("high", parameter.high);
+  write_range(out, "range", positions.range(parameter.literal));
+  out.end_object();
+}
+
+void write_frame(JsonWriter& out, const std::string& uri, const preview::Frame& frame) {
+  out.begin_object();
+  out.member("preview", frame.preview);
+  out.member("uri", uri);
+  out.member("version", frame.version);
+  out.member("source", frame.device == preview::Device::Cpu ? "cpu" : "gpu");
+  out.member("width", frame.size);
+  out.member("height", frame.size);
+  out.member("png", base64(frame.png));
+  out.member("milliseconds", frame.milliseconds);
+  out.key("badPixels");
+  out.begin_object();
+  out.member("nan", frame.bad_pixels[render::BadPixel::NotANumber]);
+  out.member("infinite", frame.bad_pixels[render::BadPixel::Infinite]);
+  out.member("negative", frame.bad_pixels[render::BadPixel::Negative]);
+  out.end_object();
+  out.member("current", frame.is_current);
+  out.end_object();
+}
+
+void write_state(JsonWriter& out, const std::string& uri, const preview::SceneState& state) {
+  out.begin_object();
+  out.member("preview", state.preview);
+  out.member("uri", uri);
+  out.member("version", state.version);
+  out.member("state", state.problem.empty() ? "good" : "errors");
+  out.member("message", state.problem);
+  out.end_object();
+}
+
+}  // namespace
+
+Session::Outcome Session::open_preview(const OpenPreviewParams& params, JsonWriter& result) {
+  OpenDocument* open = documents_.find(params.uri);
+  if (open == nullptr) return not_open(params.uri);
+  OpenPreview preview{.uri = params.uri, .root = {}, .view = {}, .values = {}};
+  if (auto fault = change_view(params.view, preview)) return ResponseError{ErrorCode::InvalidParams, *std::move(fault)};
+  const Snapshot& snapshot = open->document.snapshot();
+  result.begin_object();
+  result.member("preview", previews_.open(preview));
+  result.key("root");
+  if (snapshot.find(snapshot.root_name())) result.value(snapshot.root_name());
+  if (!snapshot.find(snapshot.root_name())) result.null();
+  result.end_object();
+  return std::nullopt;
+}
+
+std::string Session::update_preview(const UpdatePreviewParams& params) {
+  OpenPreview* const preview = previews_.find(params.preview);
+  if (preview == nullptr) return unknown_preview(params.preview);
+  if (auto fault = change_view(params.view, *preview)) return *std::move(fault);
+  if (!preview->is_stale) show(params.preview, *preview);
+  return {};
+}
+
+std::string Session::close_preview(const PreviewParams& params) {
+  previews_.close(params.preview);
+  return {};
+}
+
+std::string Session::frame_shown(const PreviewParams& params) {
+  previews_.acknowledge(params.preview);
+  return {};
+}
+
+std::string Session::set_parameter(const SetParameterParams& params) {
+  OpenPreview* const preview = previews_.find(params.preview);
+  if (preview == nullptr) return unknown_preview(params.preview);
+  if (params.value) {
+    preview->values[params.name] = *params.value;
+  } else {
+    preview->values.erase(params.name);
+  }
+  preview->is_stale = true;
+  return {};
+}
+
+Session::Outcome Session::parameters(const ModelParams& params, JsonWriter& result) {
+  OpenDocument* open = documents_.find(params.uri);
+  if (open == nullptr) return not_open(params.uri);
+  const Snapshot& snapshot = open->document.snapshot();
+  Positions places = positions(*open);
+  result.begin_array();
+  for (const features::ModelParameter& parameter : features::model_parameters(snapshot, params.root)) {
+    write_parameter(result, places, parameter);
+  }
+  result.end_array();
+  return std::nullopt;
+}
+
+Session::Outcome Session::parameter_edit(const ParameterEditParams& params, JsonWriter& result) {
+  OpenDocument* open = documents_.find(params.uri);
+  if (open == nullptr) return not_open(params.uri);
+  const Snapshot& snapshot = open->document.snapshot();
+  const auto edits = features::parameter_edit(snapshot, params.name, params.value);
+  if (!edits) {
+    return ResponseError{ErrorCode::InvalidParams, fmt::format("`{}` is no parameter of this kind", params.name)};
+  }
+  Positions places = positions(*open);
+  write_workspace_edit(result, places, by_file(*open, *edits), client_.versioned_edits);
+  return std::nullopt;
+}
+
+Session::Outcome Session::roots(const ModelParams& params, JsonWriter& result) {
+  OpenDocument* open = documents_.find(params.uri);
+  if (open == nullptr) return not_open(params.uri);
+  const Snapshot& snapshot = open->document.snapshot();
+  const std::string root = snapshot.root_name();
+  result.begin_object();
+  result.key("root");
+  if (snapshot.find(root)) result.value(root);
+  if (!snapshot.find(root)) result.null();
+  result.key("candidates");
+  result.begin_array();
+  for (const std::string& name : features::brdf_names(snapshot)) result.value(name);
+  result.end_array();
+  result.end_object();
+  return std::nullopt;
+}
+
+Session::Outcome Session::emit(const EmitParams& params, JsonWriter& result) {
+  OpenDocument* open = documents_.find(params.uri);
+  if (open == nullptr) return not_open(params.uri);
+  const emit::Target* const target = emit::find_target(params.target);
+  if (target == nullptr) return ResponseError{ErrorCode::InvalidParams, "no target " + params.target};
+  const Result<ir::Program> program = open->document.snapshot().program(params.root);
+  const Result<std::string> code = program ? target->emit(*program, {}) : Failure{program.error()};
+  result.begin_object();
+  result.key("text");
+  if (code) {
+    result.value(*code);
+  } else {
+    result.null();
+    result.member("problem", code.error());
+  }
+  result.end_object();
+  return std::nullopt;
+}
+
+void Session::show(int64_t id, const OpenPreview& preview) {
+  OpenDocument* open = documents_.find(preview.uri);
+  if (open == nullptr) return;
+  previews_.show(id, preview, open->document.snapshot(), open->version.value_or(0));
+}
+
+void Session::refresh_previews() {
+  for (auto& [id, preview] : previews_.all()) {
+    if (!preview.is_stale) continue;
+    preview.is_stale = false;
+    ++preview.model;
+    show(id, preview);
+  }
+}
+
+void Session::send_frames() {
+  for (const preview::Event& event : previews_.take_events()) {
+    const auto id = std::visit([](const auto& told) { return told.preview; }, event);
+    const OpenPreview* const preview = previews_.find(id);
+    if (preview == nullptr) continue;
+    if (const auto* frame = std::get_if<preview::Frame>(&event)) {
+      outbox_.notify("texbrdf/frame", [&](JsonWriter& out) { write_frame(out, preview->uri, *frame); });
+    } else {
+      const auto& state = std::get<preview::SceneState>(event);
+      outbox_.notify("texbrdf/previewState", [&](JsonWriter& out) { write_state(out, preview->uri, state); });
+    }
+  }
+  for (const std::string& fault : previews_.take_faults()) log_.warning(fault);
+}
+
+}  // namespace texbrdf::lsp

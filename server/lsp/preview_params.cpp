@@ -1,0 +1,112 @@
+#include "lsp/preview_params.h"
+
+#include "lsp/params_reader.h"
+
+namespace texbrdf::lsp {
+namespace {
+
+using nlohmann::json;
+using Reader = ParamsReader;
+
+std::optional<double> number(Reader& reader, json* parent, const char* name) {
+  const json* value = Reader::optional(parent, name);
+  if (value == nullptr) return std::nullopt;
+  if (value->is_number()) return value->get<double>();
+  reader.fail(fmt::format("`{}` has to be a number", name));
+  return std::nullopt;
+}
+
+std::optional<int64_t> pixels(Reader& reader, json* parent, const char* name) {
+  if (Reader::optional(parent, name) == nullptr) return std::nullopt;
+  return reader.natural(parent, name);
+}
+
+std::vector<double> numbers(Reader& reader, json* parent, const char* name) {
+  std::vector<double> values;
+  json* array = reader.array(parent, name);
+  if (array == nullptr) return values;
+  for (const json& element : *array) {
+    if (element.is_number()) {
+      values.push_back(element.get<double>());
+    } else {
+      reader.fail(fmt::format("`{}` has to be a list of numbers", name));
+    }
+  }
+  return values;
+}
+
+ViewChange view_change(Reader& reader, json* object) {
+  ViewChange change;
+  change.width = pixels(reader, object, "width");
+  change.height = pixels(reader, object, "height");
+  if (Reader::optional(object, "root") != nullptr) change.root = reader.string(object, "root");
+  json* light = Reader::optional(object, "light");
+  change.theta = number(reader, light, "theta");
+  change.phi = number(reader, light, "phi");
+  change.zoom = number(reader, object, "zoom");
+  change.exposure = number(reader, object, "exposure");
+  change.gamma = number(reader, object, "gamma");
+  if (Reader::optional(object, "cosine") != nullptr) change.cosine = reader.boolean(object, "cosine");
+  return change;
+}
+
+}  // namespace
+
+std::string read_params(json& params, OpenPreviewParams& out) {
+  Reader reader;
+  json* object = reader.object_of(params);
+  out.uri = reader.string(object, "uri");
+  out.view = view_change(reader, object);
+  return reader.problem();
+}
+
+std::string read_params(json& params, UpdatePreviewParams& out) {
+  Reader reader;
+  json* object = reader.object_of(params);
+  out.preview = reader.integer(object, "preview");
+  out.view = view_change(reader, object);
+  return reader.problem();
+}
+
+std::string read_params(json& params, PreviewParams& out) {
+  Reader reader;
+  out.preview = reader.integer(reader.object_of(params), "preview");
+  return reader.problem();
+}
+
+std::string read_params(json& params, SetParameterParams& out) {
+  Reader reader;
+  json* object = reader.object_of(params);
+  out.preview = reader.integer(object, "preview");
+  out.name = reader.string(object, "name");
+  if (Reader::optional(object, "value") != nullptr) out.value = numbers(reader, object, "value");
+  return reader.problem();
+}
+
+std::string read_params(json& params, ModelParams& out) {
+  Reader reader;
+  json* object = reader.object_of(params);
+  out.uri = reader.string(object, "uri");
+  out.root = Reader::text_or_empty(object, "root");
+  return reader.problem();
+}
+
+std::string read_params(json& params, ParameterEditParams& out) {
+  Reader reader;
+  json* object = reader.object_of(params);
+  out.uri = reader.string(object, "uri");
+  out.name = reader.string(object, "name");
+  out.value = numbers(reader, object, "value");
+  return reader.problem();
+}
+
+std::string read_params(json& params, EmitParams& out) {
+  Reader reader;
+  json* object = reader.object_of(params);
+  out.uri = reader.string(object, "uri");
+  out.root = Reader::text_or_empty(object, "root");
+  out.target = reader.string(object, "target");
+  return reader.problem();
+}
+
+}  // namespace texbrdf::lsp

@@ -1,0 +1,79 @@
+#include "lsp/previews.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace texbrdf::lsp {
+
+std::optional<std::string> change_view(const ViewChange& change, OpenPreview& preview) {
+  constexpr int64_t kMinSize = 16;
+  constexpr int64_t kMaxSize = 2048;
+  render::SphereView view = preview.view;
+  if (change.width || change.height) {
+    const int64_t side = std::min(change.width.value_or(kMaxSize), change.height.value_or(kMaxSize));
+    view.size = static_cast<uint32_t>(std::clamp(side, kMinSize, kMaxSize));
+  }
+  view.theta = change.theta.value_or(view.theta);
+  view.phi = change.phi.value_or(view.phi);
+  view.zoom = change.zoom.value_or(view.zoom);
+  view.exposure = change.exposure.value_or(view.exposure);
+  view.gamma = change.gamma.value_or(view.gamma);
+  view.times_cosine = change.cosine.value_or(view.times_cosine);
+  if (auto fault = render::find_fault(view)) return fault;
+  preview.view = view;
+  if (change.root && *change.root != preview.root) {
+    preview.root = *change.root;
+    preview.is_stale = true;
+  }
+  return std::nullopt;
+}
+
+int64_t Previews::open(OpenPreview preview) {
+  if (!service_) service_ = std::make_unique<preview::PreviewService>(wake_);
+  previews_.emplace(++last_id_, std::move(preview));
+  return last_id_;
+}
+
+OpenPreview* Previews::find(int64_t id) {
+  const auto found = previews_.find(id);
+  return found == previews_.end() ? nullptr : &found->second;
+}
+
+void Previews::note_change() {
+  for (auto& [id, preview] : previews_) preview.is_stale = true;
+}
+
+void Previews::close(int64_t id) {
+  if (previews_.erase(id) > 0) service_->close(id);
+}
+
+void Previews::close_all(std::string_view uri) {
+  std::erase_if(previews_, [&](const auto& entry) {
+    if (entry.second.uri != uri) return false;
+    service_->close(entry.first);
+    return true;
+  });
+}
+
+void Previews::clear() {
+  previews_.clear();
+  service_.reset();
+}
+
+void Previews::show(int64_t id, const OpenPreview& preview, const Snapshot& snapshot, int64_t version) {
+  service_->show(id, {snapshot, preview.model, version, preview.root, preview.view, preview.values});
+}
+
+void Previews::acknowledge(int64_t id) {
+  if (service_) service_->acknowledge(id);
+}
+
+std::vector<preview::Event> Previews::take_events() {
+  return service_ ? service_->take_events() : std::vector<preview::Event>();
+}
+
+std::vector<std::string> Previews::take_faults() {
+  return service_ ? service_->take_faults() : std::vector<std::string>();
+}
+
+}  // namespace texbrdf::lsp

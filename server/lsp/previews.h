@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lsp/preview_params.h"
+#include "preview/preview_service.h"
+
+namespace texbrdf::lsp {
+
+/// A preview that the client has open.
+struct OpenPreview {
+  std::string uri;
+  std::string root;  ///< canonical; empty: the document's own
+  render::SphereView view;
+  std::map<std::string, std::vector<double>> values;  ///< set by sliders
+  bool is_stale = true;                               ///< its document has changed since it was shown
+  uint64_t model = 0;                                 ///< of the scene that was shown last
+};
+
+/// Changes the view; why it cannot be, or nothing. A picture is as large as the smaller side of its pane.
+std::optional<std::string> change_view(const ViewChange& change, OpenPreview& preview);
+
+/// The previews of a client. Threads that draw are started with the first.
+class Previews {
+ public:
+  /// `wake` is called on any thread when there are events.
+  void connect(std::function<void()> wake) { wake_ = std::move(wake); }
+
+  int64_t open(OpenPreview preview);
+  /// nullptr where there is none.
+  OpenPreview* find(int64_t id);
+  /// A document has another text: its previews are drawn anew, and those of all others, which may be of its project.
+  void note_change();
+  void close(int64_t id);
+  void close_all(std::string_view uri);
+  void clear();
+  std::map<int64_t, OpenPreview>& all() { return previews_; }
+
+  void show(int64_t id, const OpenPreview& preview, const Snapshot& snapshot, int64_t version);
+  void acknowledge(int64_t id);
+  std::vector<preview::Event> take_events();
+  std::vector<std::string> take_faults();
+
+ private:
+  std::function<void()> wake_ = [] {};
+  std::map<int64_t, OpenPreview> previews_;
+  int64_t last_id_ = 0;
+  std::unique_ptr<preview::PreviewService> service_;
+};
+
+}  // namespace texbrdf::lsp

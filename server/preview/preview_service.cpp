@@ -1,0 +1,308 @@
+#include "preview/preview_service.h"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "preview/cpu_frame.h"
+#include "preview/shader_model.h"
+#include "render/png.h"
+
+namespace texbrdf::preview {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// A larger picture is drawn on the CPU only where there is no GPU.
+constexpr uint32_t kMaxQuickSize = 512;
+constexpr uint32_t kMaxCpuSize = 1024;
+
+/// A scene whose equations are linked.
+struct Drawable {
+  uint64_t model = 0;  // of the scene
+  ir::Program program;
+  CpuModel cpu;
+};
+
+/// A scene as one thread draws it.
+struct Work {
+  int64_t preview = 0;
+  uint64_t serial = 0;  // of the scene
+  std::shared_ptr<const Scene> scene;
+  std::shared_ptr<const Drawable> drawable;  // of the GPU's; else what was drawn before
+  Clock::time_point begin;
+  bool is_current = true;
+};
+
+struct Slot {
+  std::shared_ptr<const Scene> scene;
+  uint64_t serial = 0;        // of the scene
+  uint64_t linked = 0;        // serial of the scene that `good` is drawn for
+  uint64_t drawn_on_cpu = 0;  // serials
+  uint64_t drawn_on_gpu = 0;
+  Clock::time_point begin;
+  std::shared_ptr<const Drawable> good;  // the last that could be drawn
+  bool is_current = true;                // `good` is the scene's own
+  std::optional<SceneState> state;       // to be told
+  std::optional<Frame> ready;
+  bool on_its_way = false;
+};
+
+/// A value whose parameter has gone from the document, or has become a colour, is left out.
+void set_values(ir::Program& program, const std::map<std::string, std::vector<double>>& values) {
+  for (ir::Parameter& parameter : program.parameters) {
+    const auto value = values.find(parameter.canonical);
+    if (value == values.end() || value->second.size() != type_components(parameter.type)) continue;
+    std::ranges::copy(value->second, parameter.value.begin());
+  }
+}
+
+Result<Drawable> make_drawable(const Scene& scene) {
+  Result<ir::Program> program = scene.snapshot.program(scene.root);
+  if (!program) return Failure{program.error()};
+  set_values(*program, scene.values);
+  Result<CpuModel> cpu = cpu_model(*program);
+  if (!cpu) return Failure{cpu.error()};
+  return Drawable{scene.model, *std::move(program), *std::move(cpu)};
+}
+
+Frame make_frame(const Work& work, Device device, const render::Picture& picture) {
+  Frame frame{.preview = work.preview, .version = work.scene->version, .device = device, .png = {}, .bad_pixels = {}};
+  frame.size = picture.image.width;
+  frame.png = render::encode_png(picture.image, render::PngEffort::Fast);
+  frame.bad_pixels = picture.bad_pixels;
+  frame.is_current = work.is_current;
+  frame.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - work.begin).count();
+  return frame;
+}
+
+}  // namespace
+
+/// All that is shared stands behind the mutex; no thread draws while it holds it.
+class PreviewService::Painter {
+ public:
+  Painter(std::function<void()> wake, render::WorkerOptions options)
+      : wake_(std::move(wake)), worker_(std::move(options)), cpu_([this] { run_cpu(); }), gpu_([this] { run_gpu(); }) {}
+
+  ~Painter() {
+    {
+      const std::lock_guard lock(mutex_);
+      is_ending_ = true;
+    }
+    work_.notify_all();
+    cpu_.join();
+    gpu_.join();
+  }
+  Painter(const Painter&) = delete;
+  Painter& operator=(const Painter&) = delete;
+
+  void show(int64_t preview, Scene scene) {
+    {
+      const std::lock_guard lock(mutex_);
+      Slot& slot = slots_[preview];
+      slot.scene = std::make_shared<const Scene>(std::move(scene));
+      slot.serial = ++last_serial_;
+      slot.begin = Clock::now();
+    }
+    work_.notify_all();
+  }
+
+  void acknowledge(int64_t preview) {
+    const std::lock_guard lock(mutex_);
+    if (const auto slot = slots_.find(preview); slot != slots_.end()) slot->second.on_its_way = false;
+  }
+
+  void close(int64_t preview) {
+    const std::lock_guard lock(mutex_);
+    slots_.erase(preview);
+  }
+
+  std::vector<Event> take_events() {
+    const std::lock_guard lock(mutex_);
+    std::vector<Event> events;
+    for (auto& [preview, slot] : slots_) {
+      if (slot.state) events.emplace_back(*std::exchange(slot.state, std::nullopt));
+      if (!slot.ready || slot.on_its_way) continue;
+      events.emplace_back(*std::exchange(slot.ready, std::nullopt));
+      slot.on_its_way = true;
+    }
+    return events;
+  }
+
+  std::vector<std::string> take_faults() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(faults_, {});
+  }
+
+ private:
+  template <typename Next>
+  std::optional<Work> wait_for_work(const Next& next) {
+    std::unique_lock lock(mutex_);
+    std::optional<Work> work;
+    work_.wait(lock, [&] { return is_ending_ || (work = next()).has_value(); });
+    return is_ending_ ? std::nullopt : std::move(work);
+  }
+
+  static Work work_of(int64_t preview, const Slot& slot) {
+    return {preview, slot.serial, slot.scene, slot.good, slot.begin, slot.is_current};
+  }
+
+  std::optional<Work> next_for_cpu() const {
+    for (const auto& [preview, slot] : slots_) {
+      if (slot.drawn_on_cpu < slot.serial) return work_of(preview, slot);
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Work> next_for_gpu() const {
+    if (has_no_gpu_) return std::nullopt;
+    for (const auto& [preview, slot] : slots_) {
+      if (slot.linked == slot.serial && slot.good && slot.drawn_on_gpu < slot.serial) return work_of(preview, slot);
+    }
+    return std::nullopt;
+  }
+
+  void run_cpu() {
+    render::SphereCache cache;
+    while (std::optional<Work> work = wait_for_work([this] { return next_for_cpu(); })) {
+      link(*work);
+      std::optional<Frame> frame;
+      if (work->drawable) frame = make_frame(*work, Device::Cpu, draw(*work, cache));
+      deposit(*work, Device::Cpu, std::move(frame));
+    }
+  }
+
+  /// Where the scene cannot be drawn the last one that could stays.
+  void link(Work& work) {
+    const bool is_linked = work.is_current && work.drawable && work.drawable->model == work.scene->model;
+    if (is_linked) return set_linked(work, std::nullopt);
+    Result<Drawable> now = make_drawable(*work.scene);
+    work.is_current = static_cast<bool>(now);
+    const std::string problem = now ? std::string() : now.error();
+    if (now) work.drawable = std::make_shared<const Drawable>(*std::move(now));
+    set_linked(work, SceneState{work.preview, work.scene->version, problem});
+    wake_();
+  }
+
+  void set_linked(const Work& work, std::optional<SceneState> state) {
+    {
+      const std::lock_guard lock(mutex_);
+      const auto found = slots_.find(work.preview);
+      if (found == slots_.end() || found->second.serial != work.serial) return;
+      Slot& slot = found->second;
+      slot.good = work.drawable;
+      slot.is_current = work.is_current;
+      slot.linked = work.serial;
+      if (state) slot.state = std::move(state);
+    }
+    work_.notify_all();
+  }
+
+  render::Picture draw(const Work& work, render::SphereCache& cache) {
+    render::SphereView view = work.scene->view;
+    view.size = std::min(view.size, has_no_gpu() ? kMaxCpuSize : kMaxQuickSize);
+    return draw_on_cpu(work.drawable->cpu, view, cache);
+  }
+
+  void run_gpu() {
+    while (std::optional<Work> work = wait_for_work([this] { return next_for_gpu(); })) {
+      deposit(*work, Device::Gpu, draw_on_gpu(*work));
+    }
+  }
+
+  std::optional<Frame> draw_on_gpu(const Work& work) {
+    if (emitted_from_ != work.drawable) {
+      Result<render::ShaderModel> model = shader_model(work.drawable->program);
+      if (!model) {
+        note_fault(model.error());
+        return std::nullopt;
+      }
+      emitted_ = *std::move(model);
+      emitted_from_ = work.drawable;
+    }
+    const auto drawn = worker_.draw(emitted_, work.scene->view);
+    if (const auto* fault = std::get_if<render::RenderFault>(&drawn)) {
+      note_fault(fault->message);
+      if (fault->kind == render::RenderFaultKind::NoRenderer) give_up_gpu();
+      return std::nullopt;
+    }
+    return make_frame(work, Device::Gpu, std::get<render::GpuPicture>(drawn).picture);
+  }
+
+  void note_fault(std::string message) {
+    const std::lock_guard lock(mutex_);
+    faults_.push_back(std::move(message));
+  }
+
+  bool has_no_gpu() {
+    const std::lock_guard lock(mutex_);
+    return has_no_gpu_;
+  }
+
+  /// The scenes are drawn once more on the CPU, at their full size.
+  void give_up_gpu() {
+    const std::lock_guard lock(mutex_);
+    has_no_gpu_ = true;
+    for (auto& [preview, slot] : slots_) slot.drawn_on_cpu = 0;
+    work_.notify_all();
+  }
+
+  /// A CPU frame that is older than what the client is to get is left out.
+  void deposit(const Work& work, Device device, std::optional<Frame> frame) {
+    {
+      const std::lock_guard lock(mutex_);
+      const auto found = slots_.find(work.preview);
+      if (found == slots_.end()) return;
+      Slot& slot = found->second;
+      uint64_t& drawn = device == Device::Cpu ? slot.drawn_on_cpu : slot.drawn_on_gpu;
+      drawn = std::max(drawn, work.serial);
+      const bool is_overtaken =
+          device == Device::Cpu ? slot.drawn_on_gpu >= work.serial : slot.drawn_on_cpu > work.serial;
+      if (frame && !is_overtaken) slot.ready = std::move(frame);
+    }
+    wake_();
+  }
+
+  std::function<void()> wake_;
+  // Of the GPU's thread.
+  render::RenderWorker worker_;
+  render::ShaderModel emitted_;
+  std::shared_ptr<const Drawable> emitted_from_;
+
+  std::mutex mutex_;
+  std::condition_variable work_;
+  std::map<int64_t, Slot> slots_;
+  std::vector<std::string> faults_;
+  uint64_t last_serial_ = 0;
+  bool is_ending_ = false;
+  bool has_no_gpu_ = false;
+  std::thread cpu_;
+  std::thread gpu_;
+};
+
+PreviewService::PreviewService(std::function<void()> wake, render::WorkerOptions options)
+    : painter_(std::make_unique<Painter>(std::move(wake), std::move(options))) {}
+PreviewService::~PreviewService() = default;
+
+void PreviewService::show(int64_t preview, Scene scene) {
+  painter_->show(preview, std::move(scene));
+}
+void PreviewService::acknowledge(int64_t preview) {
+  painter_->acknowledge(preview);
+}
+void PreviewService::close(int64_t preview) {
+  painter_->close(preview);
+}
+std::vector<Event> PreviewService::take_events() {
+  return painter_->take_events();
+}
+std::vector<std::string> PreviewService::take_faults() {
+  return painter_->take_faults();
+}
+
+}  // namespace texbrdf::preview
