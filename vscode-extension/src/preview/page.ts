@@ -1,0 +1,54 @@
+// The HTML of the preview. Nothing but its own two files may run or be loaded; pictures arrive as data.
+
+export interface PageParts {
+  nonce: string;
+  scriptUri: string;
+  styleUri: string;
+  /** Where VS Code serves the two files from. */
+  source: string;
+}
+
+export function contentSecurityPolicy({ nonce, source }: PageParts): string {
+  return [`default-src 'none'`, `img-src data:`, `style-src ${source}`, `script-src 'nonce-${nonce}'`].join('; ');
+}
+
+export function previewPage(parts: PageParts): string {
+  return `<!DOCTYPE html>
+<html lang="en">
+<head>
+  <meta charset="utf-8">
+  <meta http-equiv="Content-Security-Policy" content="${contentSecurityPolicy(parts)}">
+  <meta name="viewport" content="width=device-width, initial-scale=1">
+  <link rel="stylesheet" href="${parts.styleUri}">
+  <title>texbrdf preview</title>
+</head>
+<body>
+  <header>
+    <span id="name"></span>
+    <label id="rootChoice" hidden>definition <select id="root"></select></label>
+    <button id="saveImage" title="Save this picture as PNG">Save image</button>
+    <button id="copyImage" title="Copy this picture">Copy image</button>
+  </header>
+  <main>
+    <div id="stage" tabindex="0" role="application" aria-describedby="keys"
+         aria-label="Sphere made of the BRDF. Arrow keys turn the light, plus and minus zoom, 0 resets.">
+      <img id="picture" alt="The BRDF on a lit sphere" draggable="false" hidden>
+      <p id="notice" role="status"></p>
+    </div>
+    <p id="keys" class="hint">Drag or arrow keys: light · wheel or + −: zoom · double click or 0: reset</p>
+  </main>
+  <output id="status" aria-live="off"></output>
+  <section id="look" aria-label="Picture">
+    <label>Exposure <input id="exposure" type="range" min="-8" max="8" step="0.01"><output id="exposureValue"></output></label>
+    <label>Gamma <input id="gamma" type="range" min="1" max="4" step="0.01"><output id="gammaValue"></output></label>
+    <label class="check"><input id="cosine" type="checkbox"> × N·L</label>
+    <button id="resetLook">Reset picture</button>
+  </section>
+  <section id="parameters" aria-label="Parameters" hidden>
+    <div id="sliders"></div>
+    <button id="resetAll" title="All parameters as they were when this document was first drawn">Reset all</button>
+  </section>
+  <script nonce="${parts.nonce}" src="${parts.scriptUri}"></script>
+</body>
+</html>`;
+}

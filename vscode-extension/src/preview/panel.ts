@@ -1,0 +1,132 @@
+// The preview's tab: a webview with a session behind it, which follows the active document.
+import { randomBytes } from 'node:crypto';
+import * as path from 'node:path';
+import * as vscode from 'vscode';
+import { activeDocument, findDocument } from '../documents';
+import type { Api, Parameter, ParameterEdit } from '../protocol';
+import { rootsOf } from '../roots';
+import type { ServerProcess } from '../server_process';
+import type { FromPage, ToPage } from './messages';
+import { previewPage } from './page';
+import { Session } from './session';
+import { standardLook } from './standard_look';
+
+export class PreviewPanel implements vscode.Disposable {
+  private panel: vscode.WebviewPanel | undefined;
+  private session: Session | undefined;
+  private readonly subscriptions: vscode.Disposable[];
+
+  constructor(private readonly context: vscode.ExtensionContext, private readonly server: ServerProcess, private readonly api: Api) {
+    this.subscriptions = [
+      server.onFrame((frame) => this.session?.frameArrived(frame)),
+      server.onPreviewState((state) => this.session?.stateArrived(state)),
+      this.reopenAfterRestart(),
+      vscode.workspace.onDidChangeTextDocument(({ document }) => this.session?.documentChanged(document.uri.toString(), document.version)),
+      vscode.window.onDidChangeActiveTextEditor(() => void this.follow()),
+    ];
+  }
+
+  async open(document: vscode.TextDocument, root: string | undefined, column: vscode.ViewColumn): Promise<void> {
+    if (this.panel === undefined) this.create(column);
+    else this.panel.reveal(undefined, true);
+    await this.show(document, root);
+  }
+
+  dispose(): void {
+    this.panel?.dispose();
+    vscode.Disposable.from(...this.subscriptions).dispose();
+  }
+
+  private create(column: vscode.ViewColumn): void {
+    const dist = vscode.Uri.joinPath(this.context.extensionUri, 'dist');
+    const media = vscode.Uri.joinPath(this.context.extensionUri, 'media');
+    const panel = vscode.window.createWebviewPanel('texbrdf.preview', 'BRDF preview', { viewColumn: column, preserveFocus: true },
+      { enableScripts: true, localResourceRoots: [dist, media] });
+    const session = new Session({
+      api: this.api,
+      post: (message: ToPage) => void panel.webview.postMessage(message),
+      roots: (uri) => rootsOf(this.server, this.api, uri),
+      applyEdits, reveal, saveImage, report, standardLook,
+    });
+    panel.iconPath = vscode.Uri.joinPath(media, 'sphere.svg');
+    panel.webview.onDidReceiveMessage((message: FromPage) => void session.pageSays(message));
+    panel.onDidChangeViewState(() => { if (!panel.visible) session.pageLost(); });
+    panel.onDidDispose(() => {
+      session.close();
+      this.panel = undefined;
+      this.session = undefined;
+    });
+    panel.webview.html = previewPage({
+      nonce: randomBytes(16).toString('hex'),
+      scriptUri: panel.webview.asWebviewUri(vscode.Uri.joinPath(dist, 'preview.js')).toString(),
+      styleUri: panel.webview.asWebviewUri(vscode.Uri.joinPath(media, 'preview.css')).toString(),
+      source: panel.webview.cspSource,
+    });
+    this.panel = panel;
+    this.session = session;
+  }
+
+  private async show(document: vscode.TextDocument, root: string | undefined): Promise<void> {
+    if (this.panel === undefined) return;
+    const name = path.posix.basename(document.uri.path);
+    this.panel.title = `BRDF ${name}`;
+    await this.session?.show({ uri: document.uri.toString(), name, version: document.version, root });
+  }
+
+  private async follow(): Promise<void> {
+    const document = activeDocument();
+    if (document === undefined || this.session?.uri === document.uri.toString()) return;
+    if (!vscode.workspace.getConfiguration('texbrdf').get<boolean>('preview.followEditor', true)) return;
+    await this.show(document, undefined);
+  }
+
+  private reopenAfterRestart(): vscode.Disposable {
+    let ran = this.server.running;
+    return this.server.onStateChange(() => {
+      if (!ran && this.server.canPreview) void this.session?.reopen();
+      ran = this.server.running;
+    });
+  }
+}
+
+async function applyEdits(uri: string, edits: ParameterEdit[]): Promise<boolean> {
+  const document = findDocument(uri);
+  if (document === undefined || edits.some(({ version }) => version !== document.version)) return false;
+  const whole = new vscode.WorkspaceEdit();
+  for (const { range, newText } of edits.flatMap((edit) => edit.edits)) {
+    whole.replace(document.uri, new vscode.Range(range.start.line, range.start.character, range.end.line, range.end.character), newText);
+  }
+  return vscode.workspace.applyEdit(whole);
+}
+
+async function revealIn(uri: string, { range: { start, end } }: Parameter): Promise<void> {
+  const editor = await vscode.window.showTextDocument(vscode.Uri.parse(uri), { viewColumn: columnOf(uri) });
+  editor.selection = new vscode.Selection(start.line, start.character, end.line, end.character);
+  editor.revealRange(editor.selection, vscode.TextEditorRevealType.InCenterIfOutsideViewport);
+}
+
+function reveal(uri: string, parameter: Parameter): void {
+  void revealIn(uri, parameter);
+}
+
+function columnOf(uri: string): vscode.ViewColumn {
+  return vscode.window.visibleTextEditors.find(({ document }) => document.uri.toString() === uri)?.viewColumn ?? vscode.ViewColumn.One;
+}
+
+async function save(png: string, name: string): Promise<void> {
+  const folder = vscode.workspace.workspaceFolders?.[0]?.uri;
+  const proposal = `${name.replace(/\.\w+$/, '')}.png`;
+  const target = await vscode.window.showSaveDialog({
+    filters: { Pictures: ['png'] },
+    ...(folder === undefined ? {} : { defaultUri: vscode.Uri.joinPath(folder, proposal) }),
+  });
+  if (target !== undefined) await vscode.workspace.fs.writeFile(target, Buffer.from(png, 'base64'));
+}
+
+function saveImage(png: string, name: string): void {
+  save(png, name).catch((error: unknown) => { report(String(error)); });
+}
+
+function report(problem: string): void {
+  void vscode.window.showWarningMessage(`texbrdf: ${problem}`);
+}

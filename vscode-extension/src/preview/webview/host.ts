@@ -1,0 +1,30 @@
+// The way out of the page.
+import type { FromPage } from '../messages';
+
+declare function acquireVsCodeApi(): { postMessage(message: FromPage): void };
+
+const api = acquireVsCodeApi();
+
+export function tell(message: FromPage): void {
+  api.postMessage(message);
+}
+
+/** The element of the page with this id; it is there, for the page is ours. */
+export function element<T extends HTMLElement>(id: string): T {
+  return document.getElementById(id) as T;
+}
+
+/** Calls the action with the last of what it is given, at most once a frame. */
+export function oncePerFrame<T>(action: (value: T) => void): (value: T) => void {
+  let waiting: { value: T } | undefined;
+  return (value) => {
+    if (waiting === undefined) {
+      requestAnimationFrame(() => {
+        const last = waiting;
+        waiting = undefined;
+        if (last !== undefined) action(last.value);
+      });
+    }
+    waiting = { value };
+  };
+}

@@ -1,0 +1,56 @@
+// The page of the preview: hands what arrives to what shows it.
+import type { ToPage } from '../messages';
+import { element, oncePerFrame, tell } from './host';
+import { showLook, watchLook } from './look';
+import { forgetPicture, pictureBlob, showPicture, showState, showVersion } from './picture';
+import { showParameters, watchSliders } from './sliders';
+
+const rootChoice = element<HTMLSelectElement>('root');
+let documentName = '';
+
+function showDocument({ name, version, roots, root }: ToPage & { type: 'document' }): void {
+  if (name !== documentName) forgetPicture();
+  documentName = name;
+  element('name').textContent = name;
+  element('rootChoice').hidden = roots.length < 2;
+  rootChoice.replaceChildren(...roots.map((candidate) => new Option(candidate, candidate, false, candidate === root)));
+  showVersion(version);
+}
+
+function receive(message: ToPage): void {
+  switch (message.type) {
+    case 'document': showDocument(message); break;
+    case 'version': showVersion(message.version); break;
+    case 'look': showLook(message.look, message.standard); break;
+    case 'picture': void showPicture(message.picture); break;
+    case 'state': showState(message.state, message.message); break;
+    case 'parameters': showParameters(message.parameters); break;
+  }
+}
+
+function watchSize(): void {
+  const stage = element('stage');
+  const send = oncePerFrame(() => {
+    const side = Math.min(stage.clientWidth, stage.clientHeight);
+    if (side > 0) tell({ type: 'size', side: side * devicePixelRatio });
+  });
+  new ResizeObserver(() => { send(undefined); }).observe(stage);
+  const watchRatio = () => {
+    send(undefined);
+    matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener('change', watchRatio, { once: true });
+  };
+  watchRatio();
+}
+
+async function copyImage(): Promise<void> {
+  await navigator.clipboard.write([new ClipboardItem({ 'image/png': pictureBlob() })]);
+}
+
+window.addEventListener('message', (event: MessageEvent<ToPage>) => { receive(event.data); });
+rootChoice.addEventListener('change', () => { tell({ type: 'root', root: rootChoice.value }); });
+element('saveImage').addEventListener('click', () => { tell({ type: 'saveImage' }); });
+element('copyImage').addEventListener('click', () => { copyImage().catch((error: unknown) => { showState('none', `Cannot copy: ${String(error)}`); }); });
+watchLook();
+watchSliders();
+watchSize();
+tell({ type: 'ready' });

@@ -1,0 +1,65 @@
+// The picture, its status line, and the mark where it is not of the present text.
+import type { Picture } from '../messages';
+import { element, tell } from './host';
+import { freshness, statusText } from './status_line';
+
+const image = element<HTMLImageElement>('picture');
+const stage = element('stage');
+const notice = element('notice');
+const status = element<HTMLOutputElement>('status');
+
+let documentVersion = 0;
+let last: Picture | undefined;
+let problem = '';
+
+export async function showPicture(picture: Picture): Promise<void> {
+  image.src = `data:image/png;base64,${picture.png}`;
+  // Acknowledged also when it cannot be shown: otherwise no other would follow.
+  await image.decode().catch(() => undefined);
+  image.hidden = false;
+  last = picture;
+  refresh();
+  requestAnimationFrame(() => { tell({ type: 'shown' }); });
+}
+
+export function showVersion(version: number): void {
+  documentVersion = version;
+  refresh();
+}
+
+export function showState(state: 'good' | 'errors' | 'none', message: string): void {
+  problem = state === 'good' ? '' : message;
+  stage.dataset.state = state;
+  refresh();
+}
+
+export function forgetPicture(): void {
+  last = undefined;
+  problem = '';
+  image.hidden = true;
+  image.removeAttribute('src');
+  refresh();
+}
+
+/** For the clipboard. */
+export async function pictureBlob(): Promise<Blob> {
+  const bytes = Uint8Array.from(atob(last?.png ?? ''), (character) => character.charCodeAt(0));
+  return Promise.resolve(new Blob([bytes], { type: 'image/png' }));
+}
+
+function refresh(): void {
+  const fresh = last === undefined ? 'current' : freshness(last, documentVersion);
+  stage.dataset.fresh = fresh;
+  status.textContent = last === undefined ? '' : statusText(last);
+  notice.textContent = noticeText(fresh);
+  image.alt = last === undefined ? '' : `The BRDF on a lit sphere. ${statusText(last)}`;
+}
+
+function noticeText(fresh: ReturnType<typeof freshness>): string {
+  if (problem !== '') return last === undefined ? problem : `${problem} This is the last good picture.`;
+  switch (fresh) {
+    case 'errors': return 'The document has errors: this is the last good picture.';
+    case 'outdated': return 'Drawing …';
+    case 'current': return '';
+  }
+}

@@ -1,0 +1,184 @@
+// The extensions of the protocol that `texbrdf lsp` speaks (docs/lsp.md). No other file names a method.
+import type { Range, TextEdit } from 'vscode-languageserver-protocol';
+
+export interface Light {
+  /** Degrees from the view axis. */
+  theta: number;
+  /** Degrees around the view axis, from the right. */
+  phi: number;
+}
+
+/** How a preview looks. */
+export interface Look {
+  light: Light;
+  zoom: number;
+  /** Stops. */
+  exposure: number;
+  gamma: number;
+  /** Whether the value is multiplied by N·L. */
+  cosine: boolean;
+}
+
+/** Device pixels. */
+export interface Size {
+  width: number;
+  height: number;
+}
+
+export const smallestSide = 16;
+export const largestSide = 2048;
+
+export interface OpenPreviewParams extends Size, Partial<Look> {
+  uri: string;
+  view: 'sphere';
+  root?: string;
+}
+
+export interface OpenPreviewResult {
+  preview: number;
+  root: string | null;
+}
+
+export interface UpdatePreviewParams extends Partial<Size>, Partial<Look> {
+  preview: number;
+  root?: string;
+}
+
+export interface PreviewParams {
+  preview: number;
+}
+
+export interface BadPixels {
+  nan: number;
+  infinite: number;
+  negative: number;
+}
+
+export interface FrameParams extends Size {
+  preview: number;
+  uri: string;
+  version: number;
+  source: 'cpu' | 'gpu';
+  /** Base64. */
+  png: string;
+  milliseconds: number;
+  badPixels: BadPixels;
+  /** False where the document has errors: the picture is the last good one. */
+  current: boolean;
+}
+
+export interface PreviewStateParams {
+  preview: number;
+  uri: string;
+  version: number;
+  state: 'good' | 'errors' | 'none';
+  message: string;
+}
+
+export interface RootParams {
+  uri: string;
+  root?: string;
+}
+
+export interface Parameter {
+  /** Canonical: what requests call it. */
+  name: string;
+  /** As the document writes it. */
+  label: string;
+  type: 'real' | 'colour';
+  /** One number, or red, green and blue. */
+  value: number[];
+  low: number;
+  high: number;
+  /** Of the number in the document. */
+  range: Range;
+}
+
+export interface SetParameterParams {
+  preview: number;
+  name: string;
+  /** Null: the document's value again. */
+  value: number[] | null;
+}
+
+export interface ParameterEditParams {
+  uri: string;
+  name: string;
+  value: number[];
+}
+
+export interface ParameterEdit {
+  edits: TextEdit[];
+  version: number;
+}
+
+export interface Roots {
+  root: string | null;
+  candidates: string[];
+}
+
+export type Target = 'glsl' | 'disney';
+
+export interface EmitParams extends RootParams {
+  target: Target;
+}
+
+export interface Emitted {
+  text: string | null;
+  problem?: string;
+}
+
+/** What a request carries and what answers it, by its method. */
+export interface Requests {
+  'texbrdf/openPreview': [OpenPreviewParams, OpenPreviewResult];
+  'texbrdf/parameters': [RootParams, Parameter[]];
+  'texbrdf/parameterEdit': [ParameterEditParams, ParameterEdit];
+  'texbrdf/roots': [{ uri: string }, Roots];
+  'texbrdf/emit': [EmitParams, Emitted | null];
+}
+
+/** Notifications to the server. */
+export interface Notifications {
+  'texbrdf/updatePreview': UpdatePreviewParams;
+  'texbrdf/closePreview': PreviewParams;
+  'texbrdf/frameShown': PreviewParams;
+  'texbrdf/setParameter': SetParameterParams;
+}
+
+/** Notifications from the server. */
+export interface Events {
+  'texbrdf/frame': FrameParams;
+  'texbrdf/previewState': PreviewStateParams;
+}
+
+/** The methods of the server, as functions: the only way to call them. */
+export interface Connection {
+  request<M extends keyof Requests>(method: M, params: Requests[M][0]): Promise<Requests[M][1]>;
+  notify<M extends keyof Notifications>(method: M, params: Notifications[M]): void;
+}
+
+export class Api {
+  constructor(private readonly connection: Connection) {}
+
+  openPreview = (params: OpenPreviewParams) => this.connection.request('texbrdf/openPreview', params);
+  parameters = (params: RootParams) => this.connection.request('texbrdf/parameters', params);
+  parameterEdit = (params: ParameterEditParams) => this.connection.request('texbrdf/parameterEdit', params);
+  roots = (uri: string) => this.connection.request('texbrdf/roots', { uri });
+  emit = (params: EmitParams) => this.connection.request('texbrdf/emit', params);
+
+  updatePreview = (params: UpdatePreviewParams) => { this.connection.notify('texbrdf/updatePreview', params); };
+  closePreview = (preview: number) => { this.connection.notify('texbrdf/closePreview', { preview }); };
+  frameShown = (preview: number) => { this.connection.notify('texbrdf/frameShown', { preview }); };
+  setParameter = (params: SetParameterParams) => { this.connection.notify('texbrdf/setParameter', params); };
+}
+
+export const frameEvent: keyof Events = 'texbrdf/frame';
+export const stateEvent: keyof Events = 'texbrdf/previewState';
+
+/** `capabilities.experimental.texbrdf` of the server. */
+export interface ServerCapabilities {
+  preview?: boolean;
+}
+
+/** `capabilities.experimental.texbrdf` of this client: what code lenses may run, and is therefore no free choice. */
+export const lensCommands = { preview: 'texbrdf.preview', showReferences: 'texbrdf.showReferences' } as const;

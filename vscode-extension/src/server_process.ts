@@ -1,0 +1,226 @@
+// The server's process and the client that speaks with it: found, started, started again after a crash.
+import { spawn } from 'node:child_process';
+import type { ChildProcess } from 'node:child_process';
+import { statSync } from 'node:fs';
+import * as vscode from 'vscode';
+import { CloseAction, ErrorAction, LanguageClient, State } from 'vscode-languageclient/node';
+import type {
+  ErrorHandler, LanguageClientOptions, StaticFeature, WorkDoneProgressBegin, WorkDoneProgressEnd, WorkDoneProgressReport,
+} from 'vscode-languageclient/node';
+import { CrashPolicy, mostCrashes } from './crash_policy';
+import { documentSelector } from './documents';
+import { frameEvent, lensCommands, stateEvent } from './protocol';
+import type { Connection, FrameParams, Notifications, PreviewStateParams, Requests, ServerCapabilities } from './protocol';
+import { serverPath } from './server_path';
+import type { ServerPath } from './server_path';
+import { serverSettings } from './server_settings';
+
+export type ServerState =
+  | { kind: 'stopped' }
+  | { kind: 'starting' }
+  | { kind: 'ready'; version: string }
+  | { kind: 'busy'; what: string }
+  | { kind: 'failed'; reason: string };
+
+export class ServerProcess implements Connection, vscode.Disposable {
+  readonly log = vscode.window.createOutputChannel('texbrdf');
+  private readonly stateChanged = new vscode.EventEmitter<ServerState>();
+  private readonly frameArrived = new vscode.EventEmitter<FrameParams>();
+  private readonly previewStateArrived = new vscode.EventEmitter<PreviewStateParams>();
+  readonly onStateChange = this.stateChanged.event;
+  readonly onFrame = this.frameArrived.event;
+  readonly onPreviewState = this.previewStateArrived.event;
+
+  private current: ServerState = { kind: 'stopped' };
+  private client: LanguageClient | undefined;
+  private readonly crashes = new CrashPolicy();
+  private lastWords = '';
+  private readonly tasks = new Map<string | number, string>();
+
+  constructor(private readonly context: vscode.ExtensionContext) {}
+
+  get state(): ServerState {
+    return this.current;
+  }
+
+  get running(): boolean {
+    return this.current.kind === 'ready' || this.current.kind === 'busy';
+  }
+
+  get canPreview(): boolean {
+    const experimental = this.client?.initializeResult?.capabilities.experimental as { texbrdf?: ServerCapabilities } | undefined;
+    return this.running && experimental?.texbrdf?.preview === true;
+  }
+
+  locate(): ServerPath {
+    return serverPath({
+      setting: vscode.workspace.getConfiguration('texbrdf').get<string>('server.path', ''),
+      extensionFolder: this.context.extensionPath,
+      workspaceFolder: vscode.workspace.workspaceFolders?.[0]?.uri.fsPath,
+      platform: process.platform,
+      isFile,
+    });
+  }
+
+  async start(): Promise<void> {
+    if (this.client !== undefined) return;
+    this.crashes.forget();
+    this.become({ kind: 'starting' });
+    const client = new LanguageClient('texbrdf', 'texbrdf', () => this.spawn(), this.options());
+    this.client = client;
+    client.registerFeature(announceCommands);
+    client.onNotification(frameEvent, (frame: FrameParams) => { this.frameArrived.fire(frame); });
+    client.onNotification(stateEvent, (state: PreviewStateParams) => { this.previewStateArrived.fire(state); });
+    client.onDidChangeState(({ newState }) => {
+      if (newState === State.Running) this.becomeReady();
+      if (newState === State.Starting) this.become({ kind: 'starting' });
+    });
+    try {
+      await client.start();
+    } catch (error) {
+      if (this.client === client) this.fail(reasonOf(error));
+    }
+  }
+
+  async restart(): Promise<void> {
+    await this.stop();
+    await this.start();
+  }
+
+  async stop(): Promise<void> {
+    const client = this.client;
+    this.client = undefined;
+    if (client !== undefined) await client.dispose().catch(() => undefined);
+    this.become({ kind: 'stopped' });
+  }
+
+  dispose(): void {
+    void this.stop();
+    this.log.dispose();
+  }
+
+  async request<M extends keyof Requests>(method: M, params: Requests[M][0]): Promise<Requests[M][1]> {
+    if (this.client === undefined || !this.running) throw new Error('the texbrdf server does not run');
+    return this.client.sendRequest<Requests[M][1]>(method, params);
+  }
+
+  notify<M extends keyof Notifications>(method: M, params: Notifications[M]): void {
+    if (this.client !== undefined && this.running) void this.client.sendNotification(method, params);
+  }
+
+  private options(): LanguageClientOptions {
+    return {
+      documentSelector: documentSelector(),
+      outputChannel: this.log,
+      initializationOptions: () => serverSettings(vscode.workspace.getConfiguration('texbrdf')),
+      errorHandler: this.errorHandler(),
+      initializationFailedHandler: () => false,
+      synchronize: { configurationSection: 'texbrdf' },
+      middleware: {
+        workspace: {
+          configuration: async (params, token, next) => {
+            const answers = await next(params, token);
+            return Array.isArray(answers) ? answers.map(serverSettings) : answers;
+          },
+        },
+        handleWorkDoneProgress: (token, params, next) => {
+          this.progress(token, params);
+          next(token, params);
+        },
+      },
+    };
+  }
+
+  private async spawn(): Promise<ChildProcess> {
+    const { program, from } = this.locate();
+    this.log.appendLine(`Starting ${program} (from ${from})`);
+    const server = spawn(program, ['lsp', '--stdio'], { stdio: 'pipe', cwd: vscode.workspace.workspaceFolders?.[0]?.uri.fsPath });
+    this.lastWords = '';
+    server.stderr.on('data', (text: Buffer) => { this.lastWords = lastLine(text.toString()) ?? this.lastWords; });
+    await new Promise<void>((resolve, reject) => {
+      server.once('spawn', resolve);
+      server.once('error', (error: NodeJS.ErrnoException) => { reject(new Error(whyNotStarted(error, program, from))); });
+    });
+    server.once('exit', (code, signal) => { this.log.appendLine(`The server ended with ${signal ?? `status ${code}`}`); });
+    return server;
+  }
+
+  private errorHandler(): ErrorHandler {
+    return {
+      error: () => ({ action: ErrorAction.Continue, handled: true }),
+      closed: async () => {
+        const pause = this.crashes.crashed(Date.now());
+        if (pause === undefined) {
+          this.giveUp();
+          return { action: CloseAction.DoNotRestart, handled: true };
+        }
+        this.become({ kind: 'starting' });
+        await new Promise((resolve) => setTimeout(resolve, pause));
+        return { action: CloseAction.Restart, handled: true };
+      },
+    };
+  }
+
+  private giveUp(): void {
+    const reason = `it crashed ${mostCrashes} times${this.lastWords === '' ? '' : `, last with: ${this.lastWords}`}`;
+    this.fail(reason);
+  }
+
+  private fail(reason: string): void {
+    const client = this.client;
+    this.client = undefined;
+    client?.dispose().catch(() => undefined);
+    this.log.appendLine(`The server does not run: ${reason}`);
+    this.become({ kind: 'failed', reason });
+    void vscode.window.showErrorMessage(`texbrdf does not run: ${reason}`, 'Restart', 'Show log').then((choice) => {
+      if (choice === 'Restart') void this.restart();
+      if (choice === 'Show log') this.log.show();
+    });
+  }
+
+  private progress(token: string | number, params: WorkDoneProgressBegin | WorkDoneProgressReport | WorkDoneProgressEnd): void {
+    if (params.kind === 'begin') this.tasks.set(token, params.title);
+    if (params.kind === 'end') this.tasks.delete(token);
+    if (this.running) this.becomeReady();
+  }
+
+  private becomeReady(): void {
+    const task = [...this.tasks.values()].at(-1);
+    if (task !== undefined) this.become({ kind: 'busy', what: task });
+    else this.become({ kind: 'ready', version: this.client?.initializeResult?.serverInfo?.version ?? '' });
+  }
+
+  private become(state: ServerState): void {
+    if (state.kind === 'starting') this.tasks.clear();
+    this.current = state;
+    this.stateChanged.fire(state);
+  }
+}
+
+const announceCommands: StaticFeature = {
+  fillClientCapabilities: (capabilities) => {
+    capabilities.experimental = { ...(capabilities.experimental as object | undefined), texbrdf: { commands: Object.values(lensCommands) } };
+  },
+  initialize: () => undefined,
+  getState: () => ({ kind: 'static' }),
+  clear: () => undefined,
+};
+
+function isFile(file: string): boolean {
+  return statSync(file, { throwIfNoEntry: false })?.isFile() ?? false;
+}
+
+function lastLine(text: string): string | undefined {
+  return text.split('\n').filter((line) => line.trim() !== '').at(-1);
+}
+
+function reasonOf(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}
+
+function whyNotStarted(error: NodeJS.ErrnoException, program: string, from: ServerPath['from']): string {
+  if (error.code === 'ENOENT' && from === 'PATH') return 'it is not in PATH; install it, or set texbrdf.server.path';
+  if (error.code === 'ENOENT') return `there is no ${program}`;
+  if (error.code === 'EACCES') return `${program} is not executable`;
+  return error.message;
+}
