@@ -7,7 +7,7 @@ export function sliderStep(low: number, high: number): number {
   const exact = span / 500;
   const power = 10 ** Math.floor(Math.log10(exact));
   const factor = [5, 2, 1].find((candidate) => candidate * power <= exact * (1 + 1e-9)) ?? 1;
-  return factor * power;
+  return Number((factor * power).toPrecision(1));
 }
 
 /** The multiple of the step that is nearest, without the tail of digits that binary fractions bring. */

@@ -1,0 +1,57 @@
+// session.mjs PROGRAM OUT: what a user does with the extension, in VS Code itself. Screenshots of each step are left in OUT.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdirSync, readFileSync, rmSync } from 'node:fs';
+import path from 'node:path';
+import { Editor, serverMain } from './editor.mjs';
+import { previewSteps } from './preview_steps.mjs';
+import { textSteps } from './text_steps.mjs';
+
+const [program, out] = process.argv.slice(2).map((argument) => path.resolve(argument));
+const notRun = 77;
+
+if (!existsSync(serverMain) || !existsSync(process.env.CHROMIUM ?? '/usr/bin/chromium')) {
+  console.log('left out: VS Code or chromium is not installed; ./dev test installs them');
+  process.exit(process.env.CI ? 1 : notRun);
+}
+
+function packaged() {
+  const vsix = path.join(out, 'texbrdf.vsix');
+  execFileSync(process.execPath, ['esbuild.mjs']);
+  execFileSync(process.execPath, ['package.mjs', vsix, program], { stdio: ['ignore', 'ignore', 'inherit'] });
+  return vsix;
+}
+
+rmSync(out, { recursive: true, force: true });
+mkdirSync(out, { recursive: true });
+const started = Date.now();
+const say = (line) => console.log(`${((Date.now() - started) / 1000).toFixed(1).padStart(5)} s  ${line}`);
+const editor = await Editor.start({ vsix: packaged(), workspace: path.join(import.meta.dirname, 'workspace'), out });
+say('VS Code is there');
+
+let failed = 0;
+let number = 0;
+const only = process.env.STEPS === undefined ? undefined : new RegExp(process.env.STEPS);
+try {
+  for (const { name, run } of [...textSteps, ...previewSteps]) {
+    if (only !== undefined && !only.test(name)) continue;
+    const shot = `${String(++number).padStart(2, '0')}-${name.replace(/\W+/g, '-')}`;
+    try {
+      await run(editor, { program, say });
+      await editor.screenshot(shot);
+      say(`ok      ${name}`);
+    } catch (error) {
+      failed += 1;
+      await editor.screenshot(`${shot}-FAILED`);
+      say(`FAILED  ${name}: ${error.message.split('\n').slice(0, 12).join('\n        ')}`);
+    }
+  }
+  assert.deepEqual([...editor.hosts].filter((host) => host !== '127.0.0.1' && !host.endsWith('.vscode-cdn.net')), [], 'pages asked other hosts');
+} catch (error) {
+  failed += 1;
+  say(`FAILED  ${error.message}`);
+} finally {
+  if (failed > 0) console.log(readFileSync(path.join(out, 'server.log'), 'utf8').slice(-4000));
+  await editor.end();
+}
+process.exit(failed === 0 ? 0 : 1);

@@ -1,0 +1,110 @@
+// What happens in the text: squiggle, hover, definition, fix, rename, a server that is killed.
+import assert from 'node:assert/strict';
+import { readFileSync, readdirSync, readlinkSync } from 'node:fs';
+import path from 'node:path';
+
+const wrong = { in: 'f = \\frac' };
+
+/** The process ids of the server that this editor runs. */
+function servers(editor) {
+  return readdirSync('/proc').filter((name) => /^\d+$/.test(name)).filter((id) => {
+    try {
+      return readlinkSync(`/proc/${id}/exe`).startsWith(path.join(editor.folder, 'extensions')) && readFileSync(`/proc/${id}/cmdline`, 'utf8').includes('lsp');
+    } catch {
+      return false;
+    }
+  }).map(Number);
+}
+
+export const textSteps = [
+  {
+    name: 'the squiggle lies under the wrong word',
+    run: async (editor) => {
+      await editor.open('paper.tex');
+      await editor.waitForSquiggles(1);
+      const squiggle = await editor.page.locator('.editor-instance .squiggly-error').boundingBox();
+      const word = await editor.wordBox('\\theta', wrong);
+      assert.ok(Math.abs(squiggle.x - word.x) < 1.5 && Math.abs(squiggle.width - word.width) < 1.5, JSON.stringify({ squiggle, word }));
+    },
+  },
+  {
+    name: 'the status bar counts it and shows the server',
+    run: async (editor) => {
+      const problems = editor.page.locator('#status\\.problems a[aria-label*="1"]');
+      await problems.waitFor();
+      await editor.page.locator('[id="texbrdf.texbrdf.status"]', { hasText: 'texbrdf' }).locator('.codicon-check').waitFor();
+    },
+  },
+  {
+    name: 'its message',
+    run: async (editor) => {
+      await editor.hover('\\theta', 'E3001', wrong);
+    },
+  },
+  {
+    name: 'hover shows the type',
+    run: async (editor) => {
+      await editor.hover('\\rho_d', 'ℝ³', wrong);
+    },
+  },
+  {
+    name: 'F12 goes to the definition',
+    run: async (editor) => {
+      await editor.click('\\rho_d', wrong);
+      await editor.waitForCaret('Ln 20');
+      await editor.page.keyboard.press('F12');
+      await editor.waitForCaret('Ln 6, Col 3');
+    },
+  },
+  {
+    name: 'a fix is applied',
+    run: async (editor) => {
+      await editor.click('\\theta', wrong);
+      await editor.page.keyboard.press('Control+.');
+      await editor.page.locator('.action-widget .monaco-list-row', { hasText: '\\theta_h' }).first().click();
+      await editor.waitForSquiggles(0);
+      assert.match(await editor.text(), /\\cos\{\\theta_h\}/);
+    },
+  },
+  {
+    name: 'rename',
+    run: async (editor) => {
+      await editor.click('k', { in: 'k = 0.3' });
+      await editor.page.keyboard.press('F2');
+      const input = editor.page.locator('.rename-box input, .rename-input').first();
+      await input.fill('k_s');
+      await editor.page.keyboard.press('Enter');
+      await editor.wordBox('k_s = 0.3').catch(() => undefined);
+      await editor.page.locator('.view-line', { hasText: 'k_s = 0.3' }).waitFor();
+      assert.match(await editor.text(), /\\pi\}.* \+ k_s \* /);
+    },
+  },
+  {
+    name: 'a server that is killed comes back',
+    run: async (editor) => {
+      const [first, ...more] = servers(editor);
+      assert.ok(first !== undefined && more.length === 0, 'one server');
+      process.kill(first, 'SIGKILL');
+      for (let tries = 0; tries < 100 && (servers(editor)[0] ?? first) === first; ++tries) await editor.page.waitForTimeout(100);
+      assert.notEqual(servers(editor)[0], first);
+      await editor.hover('\\rho_d', 'ℝ³', wrong);
+    },
+  },
+  {
+    name: 'typing fast keeps the editor answering',
+    run: async (editor, { say }) => {
+      await editor.click('0.3', { in: 'k_s = 0.3' });
+      await editor.page.keyboard.press('End');
+      const started = Date.now();
+      for (let round = 0; round < 20; ++round) {
+        await editor.page.keyboard.type('12345678');
+        for (let digit = 0; digit < 8; ++digit) await editor.page.keyboard.press('Backspace');
+      }
+      say(`        320 keys in ${Date.now() - started} ms`);
+      await editor.page.keyboard.type('\\undefinedname');
+      await editor.waitForSquiggles(1);
+      for (let letter = 0; letter < 14; ++letter) await editor.page.keyboard.press('Backspace');
+      await editor.waitForSquiggles(0);
+    },
+  },
+];

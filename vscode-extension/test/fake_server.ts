@@ -1,0 +1,72 @@
+// A server and a page that only remember what they were told.
+import { Session } from '../src/preview/session';
+import { Api } from '../src/protocol';
+import type { Connection, FrameParams, Notifications, Parameter, ParameterEdit, Requests } from '../src/protocol';
+import type { ToPage } from '../src/preview/messages';
+
+export const look = { light: { theta: 30, phi: 150 }, zoom: 1, exposure: 0, gamma: 2, cosine: true };
+const nowhere = { start: { line: 0, character: 0 }, end: { line: 0, character: 1 } };
+
+export function real(name: string, value: number): Parameter {
+  return { name, label: name, type: 'real', value: [value], low: 0, high: 1, range: nowhere };
+}
+
+export class Fake implements Connection {
+  readonly asked: [string, unknown][] = [];
+  readonly told: [string, unknown][] = [];
+  readonly posted: ToPage[] = [];
+  readonly applied: ParameterEdit[][] = [];
+  readonly reports: string[] = [];
+  parameters: Parameter[] = [];
+  /** Answers of applyEdits, true when they are used up. */
+  applies: boolean[] = [];
+  private previews = 0;
+
+  readonly session = new Session({
+    api: new Api(this),
+    post: (message) => this.posted.push(message),
+    applyEdits: (_, edits) => {
+      this.applied.push(edits);
+      return Promise.resolve(this.applies.shift() ?? true);
+    },
+    reveal: () => undefined,
+    saveImage: () => undefined,
+    roots: () => Promise.resolve({ root: 'f', candidates: ['f', 'g'] }),
+    report: (problem) => this.reports.push(problem),
+    standardLook: () => look,
+  });
+
+  request<M extends keyof Requests>(method: M, params: Requests[M][0]): Promise<Requests[M][1]> {
+    this.asked.push([method, params]);
+    const answers: Partial<{ [K in keyof Requests]: () => Requests[K][1] }> = {
+      'texbrdf/openPreview': () => ({ preview: ++this.previews, root: 'f' }),
+      'texbrdf/parameters': () => this.parameters,
+      'texbrdf/parameterEdit': () => ({ edits: [{ range: nowhere, newText: JSON.stringify(params) }], version: 1 }),
+    };
+    const answer = answers[method];
+    return answer === undefined ? Promise.reject(new Error(method)) : Promise.resolve(answer());
+  }
+
+  notify<M extends keyof Notifications>(method: M, params: Notifications[M]): void {
+    this.told.push([method, params]);
+  }
+
+  ofType<T extends ToPage['type']>(type: T): (ToPage & { type: T })[] {
+    return this.posted.filter((message): message is ToPage & { type: T } => message.type === type);
+  }
+
+  toldOf(method: string): unknown[] {
+    return this.told.filter(([name]) => name === method).map(([, params]) => params);
+  }
+
+  async show(name: string): Promise<void> {
+    await this.session.show({ uri: `file:///${name}`, name, version: 1, root: undefined });
+  }
+}
+
+export function frame(preview: number, version = 1): FrameParams {
+  return {
+    preview, uri: 'file:///a.tex', version, source: 'cpu', width: 64, height: 64, png: 'AAAA', milliseconds: 1,
+    badPixels: { nan: 0, infinite: 0, negative: 0 }, current: true,
+  };
+}

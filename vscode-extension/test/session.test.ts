@@ -1,0 +1,123 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { Fake, frame, look, real } from './fake_server';
+
+async function opened(parameters = [real('m', 0.25)]): Promise<Fake> {
+  const fake = new Fake();
+  fake.parameters = parameters;
+  await fake.show('a.tex');
+  await fake.session.pageSays({ type: 'ready' });
+  return fake;
+}
+
+test('a preview is opened with the size and the look of the page', async () => {
+  const fake = new Fake();
+  await fake.session.pageSays({ type: 'size', side: 300.4 });
+  await fake.show('a.tex');
+  assert.deepEqual(fake.asked[0], ['texbrdf/openPreview', { uri: 'file:///a.tex', view: 'sphere', width: 300, height: 300, ...look }]);
+});
+
+test('sizes stay within what the server draws', async () => {
+  const fake = await opened();
+  for (const side of [1, 5000, 5000]) await fake.session.pageSays({ type: 'size', side });
+  assert.deepEqual(fake.toldOf('texbrdf/updatePreview'),
+    [{ preview: 1, width: 16, height: 16 }, { preview: 1, width: 2048, height: 2048 }]);
+});
+
+test('a frame is acknowledged when it was shown, once', async () => {
+  const fake = await opened();
+  fake.session.frameArrived(frame(1));
+  assert.equal(fake.ofType('picture').length, 1);
+  assert.deepEqual(fake.toldOf('texbrdf/frameShown'), []);
+  await fake.session.pageSays({ type: 'shown' });
+  await fake.session.pageSays({ type: 'shown' });
+  assert.deepEqual(fake.toldOf('texbrdf/frameShown'), [{ preview: 1 }]);
+});
+
+test('what a hidden page missed is shown when it is back', async () => {
+  const fake = await opened();
+  fake.session.pageLost();
+  fake.session.frameArrived(frame(1, 5));
+  assert.equal(fake.ofType('picture').length, 0);
+  await fake.session.pageSays({ type: 'ready' });
+  assert.equal(fake.ofType('picture')[0]?.picture.version, 5);
+});
+
+test('frames of another preview are not shown', async () => {
+  const fake = await opened();
+  await fake.show('b.tex');
+  fake.session.frameArrived(frame(1));
+  assert.equal(fake.ofType('picture').length, 0);
+  assert.deepEqual(fake.toldOf('texbrdf/closePreview'), [{ preview: 1 }]);
+});
+
+test('a preview that is overtaken while it opens is closed', async () => {
+  const fake = new Fake();
+  await Promise.all([fake.show('a.tex'), fake.show('b.tex')]);
+  assert.deepEqual(fake.toldOf('texbrdf/closePreview'), [{ preview: 1 }]);
+  fake.session.frameArrived(frame(2));
+  await fake.session.pageSays({ type: 'ready' });
+  assert.equal(fake.ofType('picture').length, 1);
+});
+
+test('a new server gets the preview again', async () => {
+  const fake = await opened();
+  await fake.session.pageSays({ type: 'look', change: { exposure: 2 } });
+  await fake.session.reopen();
+  const last = fake.asked.filter(([method]) => method === 'texbrdf/openPreview').at(-1);
+  assert.deepEqual(last?.[1], { uri: 'file:///a.tex', view: 'sphere', width: 512, height: 512, ...look, exposure: 2 });
+});
+
+test('moving a slider sets a uniform and leaves the document alone', async () => {
+  const fake = await opened();
+  await fake.session.pageSays({ type: 'set', name: 'm', value: [0.5] });
+  assert.deepEqual(fake.toldOf('texbrdf/setParameter'), [{ preview: 1, name: 'm', value: [0.5] }]);
+  assert.deepEqual(fake.applied, []);
+});
+
+test('letting it go writes the document, then the uniform follows the document again', async () => {
+  const fake = await opened();
+  await fake.session.pageSays({ type: 'write', name: 'm', value: [0.5] });
+  assert.equal(fake.applied.length, 1);
+  assert.deepEqual(fake.toldOf('texbrdf/setParameter'), [{ preview: 1, name: 'm', value: null }]);
+  assert.deepEqual(fake.reports, []);
+});
+
+test('a document that changes meanwhile is asked again, once', async () => {
+  const fake = await opened();
+  fake.applies = [false, true];
+  await fake.session.pageSays({ type: 'write', name: 'm', value: [0.5] });
+  assert.equal(fake.applied.length, 2);
+  assert.deepEqual(fake.reports, []);
+  fake.applies = [false, false];
+  await fake.session.pageSays({ type: 'write', name: 'm', value: [0.5] });
+  assert.equal(fake.reports.length, 1);
+});
+
+test('an edit of the text moves the sliders', async () => {
+  const fake = await opened();
+  fake.parameters = [real('m', 0.75)];
+  fake.session.documentChanged('file:///other.tex', 9);
+  fake.session.documentChanged('file:///a.tex', 2);
+  assert.deepEqual(fake.posted.at(-1), { type: 'version', version: 2 });
+  await new Promise((resolve) => setTimeout(resolve, 100));
+  assert.deepEqual(fake.ofType('parameters').at(-1)?.parameters, [real('m', 0.75)]);
+});
+
+test('reset brings back the values that were seen first, all in one step', async () => {
+  const fake = await opened([real('m', 0.25), real('k', 0.5)]);
+  fake.parameters = [real('m', 0.75), real('k', 1)];
+  fake.session.documentChanged('file:///a.tex', 2);
+  await new Promise((resolve) => setTimeout(resolve, 100));
+  await fake.session.pageSays({ type: 'reset', names: ['m', 'k', 'unheard'] });
+  const written = fake.applied.map((edits) => edits.map(({ edits: [first] }) => JSON.parse(first?.newText ?? '') as { value: number[] }));
+  assert.deepEqual(written.map((step) => step.map(({ value }) => value)), [[[0.25], [0.5]]]);
+});
+
+test('another root is drawn, and its parameters are asked for', async () => {
+  const fake = await opened();
+  await fake.session.pageSays({ type: 'root', root: 'g' });
+  assert.deepEqual(fake.toldOf('texbrdf/updatePreview'), [{ preview: 1, root: 'g' }]);
+  assert.deepEqual(fake.asked.at(-1), ['texbrdf/parameters', { uri: 'file:///a.tex', root: 'g' }]);
+  assert.equal(fake.ofType('document').at(-1)?.root, 'g');
+});
