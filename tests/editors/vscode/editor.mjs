@@ -1,6 +1,6 @@
 // VS Code with one extension, in a browser without a window: started, looked at, typed into, and ended as a whole.
 import { execFileSync, spawn } from 'node:child_process';
-import { cpSync, mkdirSync, mkdtempSync, openSync, rmSync, writeFileSync } from 'node:fs';
+import { cpSync, mkdirSync, mkdtempSync, openSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { createServer } from 'node:net';
 import { homedir, tmpdir } from 'node:os';
@@ -10,12 +10,12 @@ const { chromium } = createRequire(path.resolve('package.json'))('playwright-cor
 
 const cache = process.env.XDG_CACHE_HOME ?? path.join(homedir(), '.cache');
 export const serverMain = path.join(cache, 'texbrdf/vscode-4.100.3/package/lib/vscode/out/server-main.js');
-const patience = 60_000; // milliseconds; a busy machine
+const patience = Number(process.env.PATIENCE ?? 30) * 1000; // milliseconds; a busy machine
 
 const settings = {
   'workbench.startupEditor': 'none', 'workbench.enableExperiments': false, 'security.workspace.trust.enabled': false,
   'telemetry.telemetryLevel': 'off', 'extensions.autoUpdate': false, 'extensions.autoCheckUpdates': false, 'extensions.ignoreRecommendations': true,
-  'update.mode': 'none', 'editor.minimap.enabled': false, 'editor.hover.delay': 100, 'git.enabled': false, 'files.autoSave': 'off',
+  'update.mode': 'none', 'editor.minimap.enabled': false, 'editor.hover.delay': 100, 'git.enabled': false, 'files.autoSave': 'afterDelay', 'files.autoSaveDelay': 20,
   'editor.wordBasedSuggestions': 'off', 'editor.quickSuggestions': { other: 'off' }, 'editor.autoClosingBrackets': 'never',
   'editor.stickyScroll.enabled': false, 'workbench.tips.enabled': false,
 };
@@ -106,6 +106,7 @@ export class Editor {
   }
 
   async open(file) {
+    this.file = file;
     const item = this.page.locator('.explorer-folders-view .monaco-list-row', { hasText: file });
     await item.dblclick();
     await this.page.locator('.tab.active', { hasText: file }).waitFor();
@@ -126,12 +127,21 @@ export class Editor {
     await this.page.locator('.quick-input-list .monaco-list-row', { hasText: label }).first().click();
   }
 
-  /** The text of the editor with the focus' lines that can be seen. */
-  async text() {
-    const lines = await this.page.locator('.editor-group-container.active .view-line').evaluateAll((nodes) => nodes
-      .map((node) => ({ top: parseFloat(node.style.top), text: node.textContent.replaceAll('\u00a0', ' ') }))
-      .sort((a, b) => a.top - b.top).map(({ text }) => text));
-    return lines.join('\n');
+  /** The text of the document that was opened: the editor saves by itself. */
+  async source() {
+    await this.page.locator('.tab', { hasText: this.file }).first().waitFor();
+    await this.page.waitForFunction(() => document.querySelector('.tab.dirty') === null);
+    return readFileSync(path.join(this.workspace, this.file), 'utf8');
+  }
+
+  /** The text, as soon as it is as expected. */
+  async waitForSource(expected) {
+    for (let tries = 0; ; ++tries) {
+      const text = await this.source();
+      if (expected.test(text)) return text;
+      if (tries === 100) throw new Error(`no ${expected} in\n${text}`);
+      await pause(50);
+    }
   }
 
   /** Where a word stands on the screen; `in` is some text of its line. */
@@ -145,7 +155,7 @@ export class Editor {
           texts.push({ text, from: whole.length });
           whole += text.data.replaceAll('\u00a0', ' ');
         }
-        const at = whole.indexOf(sought, whole.indexOf(line));
+        const at = whole.indexOf(sought);
         if (at < 0 || !whole.includes(line)) continue;
         const place = (offset) => {
           const { text, from } = texts.findLast((candidate) => candidate.from <= offset);

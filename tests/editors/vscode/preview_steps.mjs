@@ -1,1 +1,158 @@
-export const previewSteps = [];
+// The preview beside the text: frames, the light, sliders, undo; and generated code.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+
+const most = 2; // of 255, between a frame and `texbrdf render`
+
+/** What the pane shows once the editor's text has been drawn: its PNG and its status line. */
+async function frame(editor, source = 'GPU') {
+  const stage = editor.webview.locator('#stage[data-fresh="current"]');
+  await stage.waitFor();
+  await editor.webview.locator('#status', { hasText: source }).waitFor();
+  return editor.webview.locator('#picture').evaluate((image) => ({
+    png: image.src.split(',')[1], width: image.naturalWidth, height: image.naturalHeight, status: document.getElementById('status').textContent,
+  }));
+}
+
+/** The largest difference of a channel between two PNGs, each over black; decoded by the page itself. */
+async function difference(editor, one, other) {
+  return editor.webview.locator('body').evaluate(async (_, pictures) => {
+    const [a, b] = await Promise.all(pictures.map(async (png) => {
+      const image = new Image();
+      image.src = `data:image/png;base64,${png}`;
+      await image.decode();
+      const canvas = Object.assign(document.createElement('canvas'), { width: image.naturalWidth, height: image.naturalHeight });
+      const context = canvas.getContext('2d');
+      context.fillRect(0, 0, canvas.width, canvas.height);
+      context.drawImage(image, 0, 0);
+      return context.getImageData(0, 0, canvas.width, canvas.height).data;
+    }));
+    if (a.length !== b.length) return Infinity;
+    return a.reduce((worst, value, index) => Math.max(worst, Math.abs(value - b[index])), 0);
+  }, [one, other]);
+}
+
+function rendered(program, text, size, options = []) {
+  return execFileSync(program, ['render', '-', '-o', '-', '--size', `${size}`, ...options], { input: text }).toString('base64');
+}
+
+/** Waits for a frame that is the one that `texbrdf render` makes of the text. */
+async function waitForPicture(editor, program, options) {
+  for (let tries = 0; ; ++tries) {
+    const { png, width } = await frame(editor);
+    const apart = await difference(editor, png, rendered(program, await editor.source(), width, options));
+    if (apart <= most) return;
+    assert.ok(tries < 50, `the picture is ${apart}/255 away from texbrdf render`);
+    await editor.page.waitForTimeout(100);
+  }
+}
+
+const exponent = { in: '% range' };
+const slider = (editor) => editor.webview.locator('.row:has(button.link:text-is("p"))');
+
+export const previewSteps = [
+  {
+    name: 'the preview opens beside the text and shows it',
+    run: async (editor, { program }) => {
+      await editor.page.locator('.editor-actions a[aria-label^="Open preview to the side"]').click();
+      await waitForPicture(editor, program);
+      const { width, height } = await frame(editor);
+      assert.ok(width === height && width > 200, `${width} × ${height}`);
+    },
+  },
+  {
+    name: 'typing a number changes the picture',
+    run: async (editor, { program }) => {
+      const before = await frame(editor);
+      await editor.select('60', exponent);
+      await editor.page.keyboard.type('9');
+      await editor.waitForSource(/p = 9 %/);
+      await waitForPicture(editor, program);
+      assert.ok(await difference(editor, before.png, (await frame(editor)).png) > 20);
+      await editor.webview.locator('.row input[type=number]').evaluateAll((inputs) => inputs.map(({ value }) => value))
+        .then((values) => assert.ok(values.includes('9'), values.join()));
+    },
+  },
+  {
+    name: 'an error leaves the last good picture, marked',
+    run: async (editor, { program }) => {
+      await editor.click('9', exponent);
+      await editor.page.keyboard.type('x');
+      await editor.waitForSquiggles(1);
+      await editor.webview.locator('#notice', { hasText: 'last good picture' }).waitFor();
+      await editor.page.keyboard.press('Backspace');
+      await editor.waitForSquiggles(0);
+      await waitForPicture(editor, program);
+    },
+  },
+  {
+    name: 'moving a slider changes the picture, letting it go the document',
+    run: async (editor, { program }) => {
+      const range = slider(editor).locator('input[type=range]');
+      const box = await range.boundingBox();
+      const before = await editor.source();
+      await editor.page.mouse.move(box.x + 8, box.y + box.height / 2);
+      await editor.page.mouse.down();
+      await editor.page.mouse.move(box.x + box.width / 2, box.y + box.height / 2, { steps: 10 });
+      const value = await slider(editor).locator('input[type=number]').inputValue();
+      assert.ok(Number(value) > 200 && Number(value) < 300, value);
+      await waitForPicture(editor, program, ['--set', `p=${value}`]);
+      assert.equal(await editor.source(), before);
+      await editor.page.mouse.up();
+      await editor.waitForSource(new RegExp(`p = ${value} % range`));
+      await waitForPicture(editor, program);
+    },
+  },
+  {
+    name: 'one undo restores document and slider',
+    run: async (editor, { program }) => {
+      await editor.click('range', exponent);
+      await editor.page.keyboard.press('Control+z');
+      await editor.waitForSource(/p = 9 %/);
+      await slider(editor).locator('input[type=number]').evaluate(async (input) => {
+        for (let tries = 0; input.value !== '9' && tries < 50; ++tries) await new Promise((resolve) => setTimeout(resolve, 100));
+      });
+      assert.equal(await slider(editor).locator('input[type=number]').inputValue(), '9');
+      await waitForPicture(editor, program);
+    },
+  },
+  {
+    name: 'dragging turns the light, a double click turns it back',
+    run: async (editor, { program }) => {
+      const before = await frame(editor);
+      const { x, y, width, height } = await editor.webview.locator('#stage').boundingBox();
+      await editor.page.mouse.move(x + width / 2, y + height / 2);
+      await editor.page.mouse.down();
+      await editor.page.mouse.move(x + width / 2 + 120, y + height / 2, { steps: 8 });
+      await editor.page.mouse.up();
+      await editor.page.waitForTimeout(1000);
+      assert.ok(await difference(editor, before.png, (await frame(editor)).png) > 20);
+      await editor.page.mouse.dblclick(x + width / 2, y + height / 2);
+      await waitForPicture(editor, program);
+    },
+  },
+  {
+    name: 'keys turn the light and reset it',
+    run: async (editor, { program }) => {
+      const before = await frame(editor);
+      await editor.webview.locator('#stage').focus();
+      for (let presses = 0; presses < 6; ++presses) await editor.page.keyboard.press('ArrowRight');
+      await editor.page.waitForTimeout(1000);
+      assert.ok(await difference(editor, before.png, (await frame(editor)).png) > 20);
+      await editor.page.keyboard.press('0');
+      await waitForPicture(editor, program);
+    },
+  },
+  {
+    name: 'generated code beside the text follows it',
+    run: async (editor) => {
+      await editor.click('range', exponent);
+      await editor.command('texbrdf: Show generated code');
+      await editor.pick('GLSL');
+      await editor.page.locator('.view-line', { hasText: 'const float p = 9.0;' }).waitFor();
+      await editor.select('9', exponent);
+      await editor.page.keyboard.type('33');
+      await editor.page.locator('.view-line', { hasText: 'const float p = 33.0;' }).waitFor();
+    },
+  },
+];

@@ -43,6 +43,7 @@ try {
     } catch (error) {
       failed += 1;
       await editor.screenshot(`${shot}-FAILED`);
+      await editor.page.keyboard.press('Escape');
       say(`FAILED  ${name}: ${error.message.split('\n').slice(0, 12).join('\n        ')}`);
     }
   }
