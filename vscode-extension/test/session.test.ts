@@ -7,13 +7,15 @@ async function opened(parameters = [real('m', 0.25)]): Promise<Fake> {
   fake.parameters = parameters;
   await fake.show('a.tex');
   await fake.session.pageSays({ type: 'ready' });
+  await fake.session.pageSays({ type: 'size', side: 512 });
   return fake;
 }
 
 test('a preview is opened with the size and the look of the page', async () => {
   const fake = new Fake();
-  await fake.session.pageSays({ type: 'size', side: 300.4 });
   await fake.show('a.tex');
+  assert.deepEqual(fake.asked, []);
+  await fake.session.pageSays({ type: 'size', side: 300.4 });
   assert.deepEqual(fake.asked[0], ['texbrdf/openPreview', { uri: 'file:///a.tex', view: 'sphere', width: 300, height: 300, ...look }]);
 });
 
@@ -53,6 +55,7 @@ test('frames of another preview are not shown', async () => {
 
 test('a preview that is overtaken while it opens is closed', async () => {
   const fake = new Fake();
+  await fake.session.pageSays({ type: 'size', side: 512 });
   await Promise.all([fake.show('a.tex'), fake.show('b.tex')]);
   assert.deepEqual(fake.toldOf('texbrdf/closePreview'), [{ preview: 1 }]);
   fake.session.frameArrived(frame(2));
@@ -112,6 +115,17 @@ test('reset brings back the values that were seen first, all in one step', async
   await fake.session.pageSays({ type: 'reset', names: ['m', 'k', 'unheard'] });
   const written = fake.applied.map((edits) => edits.map(({ edits: [first] }) => JSON.parse(first?.newText ?? '') as { value: number[] }));
   assert.deepEqual(written.map((step) => step.map(({ value }) => value)), [[[0.25], [0.5]]]);
+});
+
+test('of a document that was closed nothing is drawn, until it is shown again', async () => {
+  const fake = await opened();
+  fake.session.documentClosed('file:///other.tex');
+  assert.equal(fake.session.uri, 'file:///a.tex');
+  fake.session.documentClosed('file:///a.tex');
+  assert.equal(fake.session.uri, undefined);
+  assert.deepEqual(fake.toldOf('texbrdf/closePreview'), [{ preview: 1 }]);
+  await fake.session.reopen();
+  assert.equal(fake.asked.filter(([method]) => method === 'texbrdf/openPreview').length, 1);
 });
 
 test('another root is drawn, and its parameters are asked for', async () => {

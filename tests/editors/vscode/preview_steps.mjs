@@ -80,6 +80,7 @@ export const previewSteps = [
       await editor.page.keyboard.type('x');
       await editor.waitForSquiggles(1);
       await editor.webview.locator('#notice', { hasText: 'last good picture' }).waitFor();
+      await editor.screenshot('an-error-in-the-text');
       await editor.page.keyboard.press('Backspace');
       await editor.waitForSquiggles(0);
       await waitForPicture(editor, program);
@@ -144,15 +145,40 @@ export const previewSteps = [
     },
   },
   {
+    name: 'a colour that is picked stands in the document',
+    run: async (editor, { program }) => {
+      await editor.webview.locator('input[type=color]').evaluate((input) => {
+        input.value = '#3399cc';
+        for (const type of ['input', 'change']) input.dispatchEvent(new Event(type));
+      });
+      await editor.waitForSource(/\\rho_d = \\vec\{0\.033, 0\.319, 0\.604\}/);
+      await waitForPicture(editor, program);
+      await editor.webview.locator('#resetAll').click();
+      await editor.waitForSource(/\\rho_d = \\vec\{0\.7, 0\.35, 0\.2\}[^]*p = 60 %/);
+      await waitForPicture(editor, program);
+    },
+  },
+  {
     name: 'generated code beside the text follows it',
     run: async (editor) => {
       await editor.click('range', exponent);
       await editor.command('texbrdf: Show generated code');
       await editor.pick('GLSL');
-      await editor.page.locator('.view-line', { hasText: 'const float p = 9.0;' }).waitFor();
-      await editor.select('9', exponent);
+      await editor.page.locator('.view-line', { hasText: 'const float p = 60.0;' }).waitFor();
+      await editor.select('60', exponent);
       await editor.page.keyboard.type('33');
       await editor.page.locator('.view-line', { hasText: 'const float p = 33.0;' }).waitFor();
+    },
+  },
+  {
+    name: 'the example of the walkthrough is drawn',
+    run: async (editor) => {
+      await editor.click('range', exponent);
+      await editor.command('texbrdf: Open an example');
+      await editor.page.locator('.tab.active', { hasText: 'Untitled-1' }).waitFor();
+      await editor.page.locator('.editor-group-container.active .editor-actions a[aria-label^="Open preview to the side"]').click();
+      await editor.webview.locator('#name', { hasText: 'Untitled-1' }).waitFor();
+      await frame(editor);
     },
   },
 ];

@@ -91,6 +91,21 @@ export const textSteps = [
     },
   },
   {
+    name: 'after five crashes there is a message, and a restart on demand',
+    run: async (editor) => {
+      const message = editor.page.locator('.notification-toast', { hasText: 'texbrdf does not run' });
+      for (let tries = 0; tries < 300 && !await message.isVisible(); ++tries) {
+        for (const id of servers(editor)) process.kill(id, 'SIGKILL');
+        await editor.page.waitForTimeout(100);
+      }
+      await editor.page.locator('.statusbar-item a[aria-label^="texbrdf: does not run: it crashed 5 times"]').waitFor();
+      await editor.screenshot('five-crashes');
+      await message.getByText('Restart', { exact: true }).click();
+      await editor.page.locator('.statusbar-item a[aria-label^="texbrdf: ready"]').waitFor();
+      await editor.hover('\\rho_d', 'ℝ³', wrong);
+    },
+  },
+  {
     name: 'typing fast keeps the editor answering',
     run: async (editor, { say }) => {
       await editor.click('0.3', { in: 'k_s' });

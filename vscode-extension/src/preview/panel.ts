@@ -22,6 +22,7 @@ export class PreviewPanel implements vscode.Disposable {
       server.onPreviewState((state) => this.session?.stateArrived(state)),
       this.reopenAfterRestart(),
       vscode.workspace.onDidChangeTextDocument(({ document }) => this.session?.documentChanged(document.uri.toString(), document.version)),
+      vscode.workspace.onDidCloseTextDocument((document) => this.session?.documentClosed(document.uri.toString())),
       vscode.window.onDidChangeActiveTextEditor(() => void this.follow()),
     ];
   }

@@ -25,12 +25,12 @@ export interface Surroundings {
 }
 
 const parametersAfter = 40; // ms of quiet
-const standardSide = 512;
 
 export class Session {
   private subject: Subject | undefined;
   private look: Look;
-  private side = standardSide;
+  /** Of the pane, in device pixels; there is no preview before the page has told it. */
+  private side: number | undefined;
   private preview: number | undefined;
   /** Grows with each document, so that answers about an earlier one are known. */
   private turn = 0;
@@ -73,6 +73,13 @@ export class Session {
     this.forgetPreview();
   }
 
+  documentClosed(uri: string): void {
+    if (this.subject?.uri !== uri) return;
+    this.close();
+    this.subject = undefined;
+    this.around.post({ type: 'state', state: 'none', message: 'The document was closed.' });
+  }
+
   documentChanged(uri: string, version: number): void {
     if (this.subject?.uri !== uri) return;
     this.subject = { ...this.subject, version };
@@ -102,7 +109,7 @@ export class Session {
     switch (message.type) {
       case 'ready': this.greetPage(); break;
       case 'shown': this.acknowledge(); break;
-      case 'size': this.resize(message.side); break;
+      case 'size': await this.resize(message.side); break;
       case 'look': this.changeLook(message.change); break;
       case 'root': await this.chooseRoot(message.root); break;
       case 'set': this.setParameter(message.name, message.value); break;
@@ -114,12 +121,12 @@ export class Session {
   }
 
   private async open(): Promise<void> {
-    const { subject } = this;
-    if (subject === undefined) return;
+    const { subject, side } = this;
+    if (subject === undefined || side === undefined) return;
     const turn = ++this.turn;
     try {
       const { preview } = await this.around.api.openPreview({
-        uri: subject.uri, view: 'sphere', width: this.side, height: this.side, ...this.rootOption(), ...this.look,
+        uri: subject.uri, view: 'sphere', width: side, height: side, ...this.rootOption(), ...this.look,
       });
       if (turn === this.turn) this.preview = preview;
       else this.around.api.closePreview(preview);
@@ -169,11 +176,13 @@ export class Session {
     this.around.api.frameShown(this.preview);
   }
 
-  private resize(side: number): void {
+  private async resize(side: number): Promise<void> {
     const bounded = Math.min(Math.max(Math.round(side), smallestSide), largestSide);
     if (bounded === this.side) return;
+    const first = this.side === undefined;
     this.side = bounded;
-    this.update({ width: bounded, height: bounded });
+    if (first) await this.open();
+    else this.update({ width: bounded, height: bounded });
   }
 
   private changeLook(change: Partial<Look>): void {
