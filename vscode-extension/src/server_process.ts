@@ -3,7 +3,7 @@ import { spawn } from 'node:child_process';
 import type { ChildProcess } from 'node:child_process';
 import { statSync } from 'node:fs';
 import * as vscode from 'vscode';
-import { CloseAction, ErrorAction, LanguageClient, State } from 'vscode-languageclient/node';
+import { CloseAction, ErrorAction, LanguageClient, RevealOutputChannelOn, State } from 'vscode-languageclient/node';
 import type {
   ErrorHandler, LanguageClientOptions, StaticFeature, WorkDoneProgressBegin, WorkDoneProgressEnd, WorkDoneProgressReport,
 } from 'vscode-languageclient/node';
@@ -34,7 +34,8 @@ export class ServerProcess implements Connection, vscode.Disposable {
   private current: ServerState = { kind: 'stopped' };
   private client: LanguageClient | undefined;
   private readonly crashes = new CrashPolicy();
-  private lastWords = '';
+  /** How the present process ended, as soon as it has. */
+  private ending: Promise<string> = Promise.resolve('');
   private readonly tasks = new Map<string | number, string>();
 
   constructor(private readonly context: vscode.ExtensionContext) {}
@@ -115,6 +116,7 @@ export class ServerProcess implements Connection, vscode.Disposable {
       initializationOptions: () => serverSettings(vscode.workspace.getConfiguration('texbrdf')),
       errorHandler: this.errorHandler(),
       initializationFailedHandler: () => false,
+      revealOutputChannelOn: RevealOutputChannelOn.Never, // Requests that a crash takes along would each show a message.
       synchronize: { configurationSection: 'texbrdf' },
       middleware: {
         workspace: {
@@ -135,13 +137,12 @@ export class ServerProcess implements Connection, vscode.Disposable {
     const { program, from } = this.locate();
     this.log.appendLine(`Starting ${program} (from ${from})`);
     const server = spawn(program, ['lsp', '--stdio'], { stdio: 'pipe', cwd: vscode.workspace.workspaceFolders?.[0]?.uri.fsPath });
-    this.lastWords = '';
-    server.stderr.on('data', (text: Buffer) => { this.lastWords = lastLine(text.toString()) ?? this.lastWords; });
+    this.ending = endingOf(server);
     await new Promise<void>((resolve, reject) => {
       server.once('spawn', resolve);
       server.once('error', (error: NodeJS.ErrnoException) => { reject(new Error(whyNotStarted(error, program, from))); });
     });
-    server.once('exit', (code, signal) => { this.log.appendLine(`The server ended with ${signal ?? `status ${code}`}`); });
+    void this.ending.then((how) => { this.log.appendLine(`The server ended with ${how}`); });
     return server;
   }
 
@@ -151,7 +152,7 @@ export class ServerProcess implements Connection, vscode.Disposable {
       closed: async () => {
         const pause = this.crashes.crashed(Date.now());
         if (pause === undefined) {
-          this.giveUp();
+          this.fail(`it crashed ${mostCrashes} times, last with ${await this.ending}`);
           return { action: CloseAction.DoNotRestart, handled: true };
         }
         this.become({ kind: 'starting' });
@@ -159,11 +160,6 @@ export class ServerProcess implements Connection, vscode.Disposable {
         return { action: CloseAction.Restart, handled: true };
       },
     };
-  }
-
-  private giveUp(): void {
-    const reason = `it crashed ${mostCrashes} times${this.lastWords === '' ? '' : `, last with: ${this.lastWords}`}`;
-    this.fail(reason);
   }
 
   private fail(reason: string): void {
@@ -210,8 +206,15 @@ function isFile(file: string): boolean {
   return statSync(file, { throwIfNoEntry: false })?.isFile() ?? false;
 }
 
-function lastLine(text: string): string | undefined {
-  return text.split('\n').filter((line) => line.trim() !== '').at(-1);
+/** Its signal or status, and the last that it said but for its log. */
+function endingOf(server: ChildProcess): Promise<string> {
+  let words = '';
+  server.stderr?.on('data', (text: Buffer) => {
+    words = text.toString().split('\n').filter((line) => line.trim() !== '' && !/^\[ *[\d.]+\] /.test(line)).at(-1) ?? words;
+  });
+  return new Promise((resolve) => {
+    server.once('close', (code, signal) => { resolve((signal ?? `status ${code}`) + (words === '' ? '' : `: ${words}`)); });
+  });
 }
 
 function reasonOf(error: unknown): string {

@@ -98,7 +98,8 @@ export const textSteps = [
         for (const id of servers(editor)) process.kill(id, 'SIGKILL');
         await editor.page.waitForTimeout(100);
       }
-      await editor.page.locator('.statusbar-item a[aria-label^="texbrdf: does not run: it crashed 5 times"]').waitFor();
+      await editor.page.locator('.statusbar-item a[aria-label^="texbrdf: does not run: it crashed 5 times, last with SIGKILL"]').waitFor();
+      assert.equal(await editor.page.locator('.notification-toast').count(), 1);
       await editor.screenshot('five-crashes');
       await message.getByText('Restart', { exact: true }).click();
       await editor.page.locator('.statusbar-item a[aria-label^="texbrdf: ready"]').waitFor();
