@@ -3,9 +3,9 @@ import { spawn } from 'node:child_process';
 import type { ChildProcess } from 'node:child_process';
 import { statSync } from 'node:fs';
 import * as vscode from 'vscode';
-import { CloseAction, ErrorAction, LanguageClient, RevealOutputChannelOn, State } from 'vscode-languageclient/node';
+import { CloseAction, ErrorAction, LanguageClient, State } from 'vscode-languageclient/node';
 import type {
-  ErrorHandler, LanguageClientOptions, StaticFeature, WorkDoneProgressBegin, WorkDoneProgressEnd, WorkDoneProgressReport,
+  LanguageClientOptions, StaticFeature, WorkDoneProgressBegin, WorkDoneProgressEnd, WorkDoneProgressReport,
 } from 'vscode-languageclient/node';
 import { CrashPolicy, mostCrashes } from './crash_policy';
 import { documentSelector } from './documents';
@@ -33,6 +33,8 @@ export class ServerProcess implements Connection, vscode.Disposable {
 
   private current: ServerState = { kind: 'stopped' };
   private client: LanguageClient | undefined;
+  /** Grows with each crash and each stop, so that a restart that was overtaken is known. */
+  private turn = 0;
   private readonly crashes = new CrashPolicy();
   /** How the present process ended, as soon as it has. */
   private ending: Promise<string> = Promise.resolve('');
@@ -66,21 +68,7 @@ export class ServerProcess implements Connection, vscode.Disposable {
   async start(): Promise<void> {
     if (this.client !== undefined) return;
     this.crashes.forget();
-    this.become({ kind: 'starting' });
-    const client = new LanguageClient('texbrdf', 'texbrdf', () => this.spawn(), this.options());
-    this.client = client;
-    client.registerFeature(announceCommands);
-    client.onNotification(frameEvent, (frame: FrameParams) => { this.frameArrived.fire(frame); });
-    client.onNotification(stateEvent, (state: PreviewStateParams) => { this.previewStateArrived.fire(state); });
-    client.onDidChangeState(({ newState }) => {
-      if (newState === State.Running) this.becomeReady();
-      if (newState === State.Starting) this.become({ kind: 'starting' });
-    });
-    try {
-      await client.start();
-    } catch (error) {
-      if (this.client === client) this.fail(reasonOf(error));
-    }
+    await this.launch();
   }
 
   async restart(): Promise<void> {
@@ -89,9 +77,8 @@ export class ServerProcess implements Connection, vscode.Disposable {
   }
 
   async stop(): Promise<void> {
-    const client = this.client;
-    this.client = undefined;
-    if (client !== undefined) await client.dispose().catch(() => undefined);
+    ++this.turn;
+    await this.drop();
     this.become({ kind: 'stopped' });
   }
 
@@ -109,14 +96,56 @@ export class ServerProcess implements Connection, vscode.Disposable {
     if (this.client !== undefined && this.running) void this.client.sendNotification(method, params);
   }
 
-  private options(): LanguageClientOptions {
+  private async launch(): Promise<void> {
+    this.become({ kind: 'starting' });
+    const client = new QuietClient('texbrdf', 'texbrdf', () => this.spawn(), this.options(() => void this.crashed(client)));
+    this.client = client;
+    client.registerFeature(announceCommands);
+    client.onNotification(frameEvent, (frame: FrameParams) => { this.frameArrived.fire(frame); });
+    client.onNotification(stateEvent, (state: PreviewStateParams) => { this.previewStateArrived.fire(state); });
+    client.onDidChangeState(({ newState }) => { if (newState === State.Running) this.becomeReady(); });
+    try {
+      await client.start();
+    } catch (error) {
+      if (this.client !== client) return;
+      if (error instanceof NotStarted) await this.fail(error.message);
+      else await this.crashed(client);
+    }
+  }
+
+  private async drop(): Promise<void> {
+    const client = this.client;
+    this.client = undefined;
+    await client?.dispose().catch(() => undefined);
+  }
+
+  private async crashed(client: LanguageClient): Promise<void> {
+    if (this.client !== client) return;
+    const turn = ++this.turn;
+    await this.drop();
+    const pause = this.crashes.crashed(Date.now());
+    if (pause === undefined) {
+      await this.fail(`it crashed ${mostCrashes} times, last with ${await this.ending}`);
+      return;
+    }
+    this.become({ kind: 'starting' });
+    await new Promise((resolve) => setTimeout(resolve, pause));
+    if (turn === this.turn) await this.launch();
+  }
+
+  private options(closed: () => void): LanguageClientOptions {
     return {
       documentSelector: documentSelector(),
       outputChannel: this.log,
       initializationOptions: () => serverSettings(vscode.workspace.getConfiguration('texbrdf')),
-      errorHandler: this.errorHandler(),
+      errorHandler: {
+        error: () => ({ action: ErrorAction.Continue, handled: true }),
+        closed: () => {
+          closed();
+          return { action: CloseAction.DoNotRestart, handled: true };
+        },
+      },
       initializationFailedHandler: () => false,
-      revealOutputChannelOn: RevealOutputChannelOn.Never, // Requests that a crash takes along would each show a message.
       synchronize: { configurationSection: 'texbrdf' },
       middleware: {
         workspace: {
@@ -140,32 +169,14 @@ export class ServerProcess implements Connection, vscode.Disposable {
     this.ending = endingOf(server);
     await new Promise<void>((resolve, reject) => {
       server.once('spawn', resolve);
-      server.once('error', (error: NodeJS.ErrnoException) => { reject(new Error(whyNotStarted(error, program, from))); });
+      server.once('error', (error: NodeJS.ErrnoException) => { reject(new NotStarted(whyNotStarted(error, program, from))); });
     });
     void this.ending.then((how) => { this.log.appendLine(`The server ended with ${how}`); });
     return server;
   }
 
-  private errorHandler(): ErrorHandler {
-    return {
-      error: () => ({ action: ErrorAction.Continue, handled: true }),
-      closed: async () => {
-        const pause = this.crashes.crashed(Date.now());
-        if (pause === undefined) {
-          this.fail(`it crashed ${mostCrashes} times, last with ${await this.ending}`);
-          return { action: CloseAction.DoNotRestart, handled: true };
-        }
-        this.become({ kind: 'starting' });
-        await new Promise((resolve) => setTimeout(resolve, pause));
-        return { action: CloseAction.Restart, handled: true };
-      },
-    };
-  }
-
-  private fail(reason: string): void {
-    const client = this.client;
-    this.client = undefined;
-    client?.dispose().catch(() => undefined);
+  private async fail(reason: string): Promise<void> {
+    await this.drop();
     this.log.appendLine(`The server does not run: ${reason}`);
     this.become({ kind: 'failed', reason });
     void vscode.window.showErrorMessage(`texbrdf does not run: ${reason}`, 'Restart', 'Show log').then((choice) => {
@@ -193,6 +204,16 @@ export class ServerProcess implements Connection, vscode.Disposable {
   }
 }
 
+/** There is no process. */
+class NotStarted extends Error {}
+
+/** What it has to say of trouble goes to the log only: a crash would show a message for each request that it takes along. */
+class QuietClient extends LanguageClient {
+  override error(message: string, data?: unknown): void {
+    super.error(message, data, false);
+  }
+}
+
 const announceCommands: StaticFeature = {
   fillClientCapabilities: (capabilities) => {
     capabilities.experimental = { ...(capabilities.experimental as object | undefined), texbrdf: { commands: Object.values(lensCommands) } };
@@ -215,10 +236,6 @@ function endingOf(server: ChildProcess): Promise<string> {
   return new Promise((resolve) => {
     server.once('close', (code, signal) => { resolve((signal ?? `status ${code}`) + (words === '' ? '' : `: ${words}`)); });
   });
-}
-
-function reasonOf(error: unknown): string {
-  return error instanceof Error ? error.message : String(error);
 }
 
 function whyNotStarted(error: NodeJS.ErrnoException, program: string, from: ServerPath['from']): string {
