@@ -1,6 +1,8 @@
 // The preview beside the text: frames, the light, sliders, undo; and generated code.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
+import path from 'node:path';
 
 const most = 2; // of 255, between a frame and `texbrdf render`
 
@@ -168,6 +170,19 @@ export const previewSteps = [
       await editor.select('60', exponent);
       await editor.page.keyboard.type('33');
       await editor.page.locator('.view-line', { hasText: 'const float p = 33.0;' }).waitFor();
+    },
+  },
+  {
+    name: 'export writes a file',
+    run: async (editor) => {
+      await editor.click('range', exponent);
+      await editor.command('texbrdf: Export');
+      await editor.pick('GLSL');
+      const name = editor.page.locator('.quick-input-widget input.input');
+      await editor.page.waitForFunction(() => document.querySelector('.quick-input-widget input.input')?.value.endsWith('paper.glsl'));
+      await name.press('Enter');
+      await editor.page.locator('.notification-toast', { hasText: 'texbrdf wrote paper.glsl' }).waitFor();
+      assert.match(readFileSync(path.join(editor.workspace, 'paper.glsl'), 'utf8'), /const float p = 33\.0;/);
     },
   },
   {
