@@ -1,5 +1,5 @@
 // The extensions of the protocol that `texbrdf lsp` speaks (docs/lsp.md). No other file names a method.
-import type { Range, TextEdit } from 'vscode-languageserver-protocol';
+import type { Range, WorkspaceEdit } from 'vscode-languageserver-protocol';
 
 export interface Light {
   /** Degrees from the view axis. */
@@ -107,11 +107,6 @@ export interface ParameterEditParams {
   value: number[];
 }
 
-export interface ParameterEdit {
-  edits: TextEdit[];
-  version: number;
-}
-
 export interface Roots {
   root: string | null;
   candidates: string[];
@@ -132,7 +127,7 @@ export interface Emitted {
 export interface Requests {
   'texbrdf/openPreview': [OpenPreviewParams, OpenPreviewResult];
   'texbrdf/parameters': [RootParams, Parameter[]];
-  'texbrdf/parameterEdit': [ParameterEditParams, ParameterEdit];
+  'texbrdf/parameterEdit': [ParameterEditParams, WorkspaceEdit];
   'texbrdf/roots': [{ uri: string }, Roots];
   'texbrdf/emit': [EmitParams, Emitted | null];
 }

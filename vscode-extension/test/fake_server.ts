@@ -1,7 +1,8 @@
 // A server and a page that only remember what they were told.
 import { Session } from '../src/preview/session';
 import { Api } from '../src/protocol';
-import type { Connection, FrameParams, Notifications, Parameter, ParameterEdit, Requests } from '../src/protocol';
+import type { Connection, FrameParams, Notifications, Parameter, Requests } from '../src/protocol';
+import type { TextChange } from '../src/text_changes';
 import type { ToPage } from '../src/preview/messages';
 
 export const look = { light: { theta: 30, phi: 150 }, zoom: 1, exposure: 0, gamma: 2, cosine: true };
@@ -15,18 +16,18 @@ export class Fake implements Connection {
   readonly asked: [string, unknown][] = [];
   readonly told: [string, unknown][] = [];
   readonly posted: ToPage[] = [];
-  readonly applied: ParameterEdit[][] = [];
+  readonly applied: TextChange[][] = [];
   readonly reports: string[] = [];
   parameters: Parameter[] = [];
-  /** Answers of applyEdits, true when they are used up. */
+  /** Answers of apply, true when they are used up. */
   applies: boolean[] = [];
   private previews = 0;
 
   readonly session = new Session({
     api: new Api(this),
     post: (message) => this.posted.push(message),
-    applyEdits: (_, edits) => {
-      this.applied.push(edits);
+    apply: (changes) => {
+      this.applied.push(changes);
       return Promise.resolve(this.applies.shift() ?? true);
     },
     reveal: () => undefined,
@@ -41,7 +42,9 @@ export class Fake implements Connection {
     const answers: Partial<{ [K in keyof Requests]: () => Requests[K][1] }> = {
       'texbrdf/openPreview': () => ({ preview: ++this.previews, root: 'f' }),
       'texbrdf/parameters': () => this.parameters,
-      'texbrdf/parameterEdit': () => ({ edits: [{ range: nowhere, newText: JSON.stringify(params) }], version: 1 }),
+      'texbrdf/parameterEdit': () => ({
+        documentChanges: [{ textDocument: { uri: 'file:///a.tex', version: 1 }, edits: [{ range: nowhere, newText: JSON.stringify(params) }] }],
+      }),
     };
     const answer = answers[method];
     return answer === undefined ? Promise.reject(new Error(method)) : Promise.resolve(answer());

@@ -97,6 +97,17 @@ test('a document that changes meanwhile is asked again, once', async () => {
   assert.equal(fake.reports.length, 1);
 });
 
+test('a good frame that is newer than the errors ends them, an older one does not', async () => {
+  const fake = await opened();
+  fake.session.stateArrived({ preview: 1, uri: 'file:///a.tex', version: 5, state: 'errors', message: 'no' });
+  fake.session.frameArrived(frame(1, 4));
+  assert.equal(fake.ofType('state').at(-1)?.state, 'errors');
+  fake.session.frameArrived({ ...frame(1, 6), current: false });
+  assert.equal(fake.ofType('state').at(-1)?.state, 'errors');
+  fake.session.frameArrived(frame(1, 6));
+  assert.equal(fake.ofType('state').at(-1)?.state, 'good');
+});
+
 test('an edit of the text moves the sliders', async () => {
   const fake = await opened();
   fake.parameters = [real('m', 0.75)];
@@ -113,7 +124,7 @@ test('reset brings back the values that were seen first, all in one step', async
   fake.session.documentChanged('file:///a.tex', 2);
   await new Promise((resolve) => setTimeout(resolve, 100));
   await fake.session.pageSays({ type: 'reset', names: ['m', 'k', 'unheard'] });
-  const written = fake.applied.map((edits) => edits.map(({ edits: [first] }) => JSON.parse(first?.newText ?? '') as { value: number[] }));
+  const written = fake.applied.map((changes) => changes.map(({ newText }) => JSON.parse(newText) as { value: number[] }));
   assert.deepEqual(written.map((step) => step.map(({ value }) => value)), [[[0.25], [0.5]]]);
 });
 

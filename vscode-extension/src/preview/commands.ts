@@ -20,7 +20,8 @@ export function previewCommands(server: ServerProcess, api: Api, panel: PreviewP
   };
   const openRoot = async (uri: string, root: string) => {
     if (!drawable(server)) return;
-    await panel.open(await vscode.workspace.openTextDocument(vscode.Uri.parse(uri)), root, vscode.ViewColumn.Beside);
+    const isTheDocuments = (await rootsOf(server, api, uri)).root === root;
+    await panel.open(await vscode.workspace.openTextDocument(vscode.Uri.parse(uri)), isTheDocuments ? undefined : root, vscode.ViewColumn.Beside);
   };
   return vscode.Disposable.from(
     vscode.commands.registerCommand('texbrdf.openPreview', (uri?: vscode.Uri) => open(vscode.ViewColumn.Active, uri)),

@@ -3,9 +3,10 @@ import { randomBytes } from 'node:crypto';
 import * as path from 'node:path';
 import * as vscode from 'vscode';
 import { activeDocument, findDocument } from '../documents';
-import type { Api, Parameter, ParameterEdit } from '../protocol';
+import type { Api, Parameter } from '../protocol';
 import { rootsOf } from '../roots';
 import type { ServerProcess } from '../server_process';
+import type { TextChange } from '../text_changes';
 import type { FromPage, ToPage } from './messages';
 import { previewPage } from './page';
 import { Session } from './session';
@@ -47,7 +48,7 @@ export class PreviewPanel implements vscode.Disposable {
       api: this.api,
       post: (message: ToPage) => void panel.webview.postMessage(message),
       roots: (uri) => rootsOf(this.server, this.api, uri),
-      applyEdits, reveal, saveImage, report, standardLook,
+      apply, reveal, saveImage, report, standardLook,
     });
     panel.iconPath = vscode.Uri.joinPath(media, 'sphere.svg');
     panel.webview.onDidReceiveMessage((message: FromPage) => void session.pageSays(message));
@@ -77,8 +78,9 @@ export class PreviewPanel implements vscode.Disposable {
   private async follow(): Promise<void> {
     const document = activeDocument();
     if (document === undefined || this.session?.uri === document.uri.toString()) return;
-    if (!vscode.workspace.getConfiguration('texbrdf').get<boolean>('preview.followEditor', true)) return;
-    await this.show(document, undefined);
+    if (this.session === undefined || !vscode.workspace.getConfiguration('texbrdf').get<boolean>('preview.followEditor', true)) return;
+    const { root, candidates } = await rootsOf(this.server, this.api, document.uri.toString());
+    if (activeDocument() === document && (root !== null || candidates.length > 0)) await this.show(document, undefined);
   }
 
   private reopenAfterRestart(): vscode.Disposable {
@@ -90,12 +92,12 @@ export class PreviewPanel implements vscode.Disposable {
   }
 }
 
-async function applyEdits(uri: string, edits: ParameterEdit[]): Promise<boolean> {
-  const document = findDocument(uri);
-  if (document === undefined || edits.some(({ version }) => version !== document.version)) return false;
+async function apply(changes: TextChange[]): Promise<boolean> {
+  const isOld = ({ uri, version }: TextChange) => version !== null && findDocument(uri)?.version !== version;
+  if (changes.length === 0 || changes.some(isOld)) return false;
   const whole = new vscode.WorkspaceEdit();
-  for (const { range, newText } of edits.flatMap((edit) => edit.edits)) {
-    whole.replace(document.uri, new vscode.Range(range.start.line, range.start.character, range.end.line, range.end.character), newText);
+  for (const { uri, range: { start, end }, newText } of changes) {
+    whole.replace(vscode.Uri.parse(uri), new vscode.Range(start.line, start.character, end.line, end.character), newText);
   }
   return vscode.workspace.applyEdit(whole);
 }

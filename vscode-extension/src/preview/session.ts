@@ -1,7 +1,9 @@
 // A preview of one document after the other: keeps the server and the page of right account of each other. Knows nothing of VS Code.
 import { Debounce } from '../debounce';
 import { largestSide, smallestSide } from '../protocol';
-import type { Api, FrameParams, Look, Parameter, ParameterEdit, PreviewStateParams, Roots } from '../protocol';
+import type { Api, FrameParams, Look, Parameter, PreviewStateParams, Roots } from '../protocol';
+import { textChanges } from '../text_changes';
+import type { TextChange } from '../text_changes';
 import type { FromPage, ToPage } from './messages';
 
 export interface Subject {
@@ -16,7 +18,7 @@ export interface Surroundings {
   api: Api;
   post: (message: ToPage) => void;
   /** One step that can be undone; false where the document has changed since. */
-  applyEdits: (uri: string, edits: ParameterEdit[]) => Promise<boolean>;
+  apply: (changes: TextChange[]) => Promise<boolean>;
   reveal: (uri: string, parameter: Parameter) => void;
   saveImage: (png: string, name: string) => void;
   roots: (uri: string) => Promise<Roots>;
@@ -91,6 +93,7 @@ export class Session {
     if (frame.preview !== this.preview) return;
     this.frame = frame;
     this.unacknowledged = true;
+    if (frame.current && this.state !== undefined && frame.version > this.state.version) this.stateArrived({ ...this.state, state: 'good', message: '' });
     if (this.pageReady) this.postFrame(frame);
   }
 
@@ -246,7 +249,7 @@ export class Session {
   private async tryToWrite(uri: string, assignments: Assignment[]): Promise<boolean> {
     try {
       const edits = await Promise.all(assignments.map(({ name, value }) => this.around.api.parameterEdit({ uri, name, value })));
-      return await this.around.applyEdits(uri, edits);
+      return await this.around.apply(textChanges(edits));
     } catch {
       return false;
     }
