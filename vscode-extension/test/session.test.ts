@@ -118,6 +118,18 @@ test('an edit of the text moves the sliders', async () => {
   assert.deepEqual(fake.ofType('parameters').at(-1)?.parameters, [real('m', 0.75)]);
 });
 
+test('errors leave the sliders where they are', async () => {
+  const fake = await opened();
+  fake.session.stateArrived({ preview: 1, uri: 'file:///a.tex', version: 2, state: 'errors', message: 'no' });
+  fake.parameters = [];
+  fake.session.documentChanged('file:///a.tex', 2);
+  await new Promise((resolve) => setTimeout(resolve, 100));
+  assert.deepEqual(fake.ofType('parameters').at(-1)?.parameters, [real('m', 0.25)]);
+  fake.session.stateArrived({ preview: 1, uri: 'file:///a.tex', version: 2, state: 'good', message: '' });
+  await new Promise((resolve) => setTimeout(resolve, 100));
+  assert.deepEqual(fake.ofType('parameters').at(-1)?.parameters, []);
+});
+
 test('reset brings back the values that were seen first, all in one step', async () => {
   const fake = await opened([real('m', 0.25), real('k', 0.5)]);
   fake.parameters = [real('m', 0.75), real('k', 1)];

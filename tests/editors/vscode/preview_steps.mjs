@@ -189,7 +189,11 @@ export const previewSteps = [
     name: 'the example of the walkthrough is drawn',
     run: async (editor) => {
       await editor.click('range', exponent);
-      await editor.command('texbrdf: Open an example');
+      await editor.command('Welcome: Open Walkthrough');
+      await editor.pick('From an equation to a sphere');
+      await editor.page.locator('.getting-started-step', { hasText: 'Make a mistake' }).first().waitFor();
+      await editor.screenshot('walkthrough');
+      await editor.page.locator('.getting-started-step').getByText('Open an example').last().click();
       await editor.page.locator('.tab.active', { hasText: 'Untitled-1' }).waitFor();
       await editor.page.locator('.editor-group-container.active .editor-actions a[aria-label^="Open preview to the side"]').click();
       await editor.webview.locator('#name', { hasText: 'Untitled-1' }).waitFor();

@@ -99,6 +99,7 @@ export class Session {
 
   stateArrived(state: PreviewStateParams): void {
     if (state.preview !== this.preview) return;
+    if (this.state?.state === 'errors' && state.state === 'good') this.soon.run(() => { void this.refreshDocument(); });
     this.state = state;
     this.around.post({ type: 'state', state: state.state, message: state.message });
   }
@@ -214,7 +215,9 @@ export class Session {
     if (turn !== this.turn) return;
     this.roots = roots;
     this.postDocument();
-    if (parameters === undefined || parameters === null) return;
+    // With errors some may be missing; controls that come and go at each key would be in the way.
+    const isBroken = this.state?.state === 'errors' && this.parameters.length > 0;
+    if (parameters === undefined || isBroken) return;
     this.parameters = parameters;
     for (const { name, value } of parameters) if (!this.first.has(this.key(name))) this.first.set(this.key(name), value);
     this.around.post({ type: 'parameters', parameters });

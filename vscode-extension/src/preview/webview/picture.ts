@@ -56,9 +56,9 @@ function refresh(): void {
 }
 
 function noticeText(fresh: ReturnType<typeof freshness>): string {
-  if (problem !== '') return last === undefined ? problem : `${problem} This is the last good picture.`;
+  if (problem !== '') return last === undefined ? problem : `${problem} — this is the last good picture`;
   switch (fresh) {
-    case 'errors': return 'The document has errors: this is the last good picture.';
+    case 'errors': return 'The document has errors: this is the last good picture';
     case 'outdated': return 'Drawing …';
     case 'current': return '';
   }
