@@ -147,6 +147,26 @@ export const previewSteps = [
     },
   },
   {
+    name: 'a pinned picture stays beside what is typed next',
+    run: async (editor, { program }) => {
+      const before = await frame(editor);
+      await editor.webview.locator('#pin').click();
+      await editor.select('9', exponent);
+      await editor.page.keyboard.type('200');
+      await editor.waitForSource(/p = 200 %/);
+      await waitForPicture(editor, program);
+      const pinned = editor.webview.locator('#pinned');
+      assert.equal(await pinned.evaluate((image) => image.src.split(',')[1]), before.png);
+      const [left, right] = [await pinned.boundingBox(), await editor.webview.locator('#picture').boundingBox()];
+      assert.ok(left.x + left.width <= right.x + 1, 'side by side');
+      await editor.screenshot('pinned-side-by-side');
+      await editor.webview.locator('#compare').selectOption('over');
+      await editor.screenshot('pinned-overlaid');
+      await editor.webview.locator('#pin').click();
+      await pinned.waitFor({ state: 'hidden' });
+    },
+  },
+  {
     name: 'a colour that is picked stands in the document',
     run: async (editor, { program }) => {
       await editor.webview.locator('input[type=color]').evaluate((input) => {

@@ -26,6 +26,9 @@ export function previewPage(parts: PageParts): string {
   <header>
     <span id="name"></span>
     <label id="rootChoice" hidden>definition <select id="root"></select></label>
+    <label id="comparison" hidden>compare <select id="compare"><option value="beside">side by side</option><option value="over">overlaid</option></select></label>
+    <label id="wipeLabel" hidden>pinned <input id="wipe" type="range" min="0" max="100" value="50"></label>
+    <button id="pin" aria-pressed="false" title="Keep this picture, to compare it with what you type next">Pin</button>
     <button id="saveImage" title="Save this picture as PNG">Save image</button>
     <button id="copyImage" title="Copy this picture">Copy image</button>
   </header>
@@ -33,6 +36,7 @@ export function previewPage(parts: PageParts): string {
     <div id="stage" tabindex="0" role="application" aria-describedby="keys"
          aria-label="Sphere made of the BRDF. Arrow keys turn the light, plus and minus zoom, 0 resets.">
       <img id="picture" alt="The BRDF on a lit sphere" draggable="false" hidden>
+      <img id="pinned" alt="The pinned picture" draggable="false" hidden>
       <p id="notice" role="status"></p>
     </div>
     <p id="keys" class="hint">Drag or arrow keys: light · wheel or + −: zoom · double click or 0: reset</p>

@@ -14,6 +14,7 @@ const degreesPerKey = 5;
 const degreesPerFineKey = 1;
 
 const stage = element('stage');
+const image = element<HTMLImageElement>('picture');
 const sliders = { exposure: element<HTMLInputElement>('exposure'), gamma: element<HTMLInputElement>('gamma') };
 const cosine = element<HTMLInputElement>('cosine');
 
@@ -74,7 +75,7 @@ function zoomBy(factor: number): void {
 
 /** The point of the sphere below the pointer. */
 function pointOf(event: PointerEvent): Vector {
-  const box = stage.getBoundingClientRect();
+  const box = (image.hidden ? stage : image).getBoundingClientRect();
   const radius = Math.min(box.width, box.height) / 2 * sphereOfPicture * (look?.zoom ?? 1);
   return onSphere((event.clientX - box.left - box.width / 2) / radius, (box.top + box.height / 2 - event.clientY) / radius);
 }

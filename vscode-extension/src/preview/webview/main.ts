@@ -3,13 +3,17 @@ import type { ToPage } from '../messages';
 import { element, oncePerFrame, tell } from './host';
 import { showLook, watchLook } from './look';
 import { forgetPicture, pictureBlob, showPicture, showState, showVersion } from './picture';
+import { unpin, watchPin } from './pin';
 import { showParameters, watchSliders } from './sliders';
 
 const rootChoice = element<HTMLSelectElement>('root');
 let documentName = '';
 
 function showDocument({ name, version, roots, root }: ToPage & { type: 'document' }): void {
-  if (name !== documentName) forgetPicture();
+  if (name !== documentName) {
+    forgetPicture();
+    unpin();
+  }
   documentName = name;
   element('name').textContent = name;
   element('rootChoice').hidden = roots.length < 2;
@@ -52,5 +56,6 @@ element('saveImage').addEventListener('click', () => { tell({ type: 'saveImage' 
 element('copyImage').addEventListener('click', () => { copyImage().catch((error: unknown) => { showState('none', `Cannot copy: ${String(error)}`); }); });
 watchLook();
 watchSliders();
+watchPin();
 watchSize();
 tell({ type: 'ready' });
