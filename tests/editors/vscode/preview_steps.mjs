@@ -49,6 +49,22 @@ async function waitForPicture(editor, program, options) {
   }
 }
 
+/** Milliseconds from a key to the picture of what it typed, as the page shows it; of the browser's driver too. */
+async function keyToPicture(editor, key) {
+  const page = editor.webview.locator('#status');
+  const version = /version (\d+)/.exec(await page.textContent())[1];
+  const shown = page.evaluate((status, old) => new Promise((resolve) => {
+    const look = () => {
+      if (status.textContent.includes(`version ${old}`)) requestAnimationFrame(look);
+      else resolve(Date.now());
+    };
+    look();
+  }), version);
+  const pressed = Date.now();
+  await editor.page.keyboard.press(key);
+  return await shown - pressed;
+}
+
 const exponent = { in: '% range' };
 const slider = (editor) => editor.webview.locator('.row:has(button.link:text-is("p"))');
 
@@ -73,6 +89,19 @@ export const previewSteps = [
       assert.ok(await difference(editor, before.png, (await frame(editor)).png) > 20);
       await editor.webview.locator('.row input[type=number]').evaluateAll((inputs) => inputs.map(({ value }) => value))
         .then((values) => assert.ok(values.includes('9'), values.join()));
+    },
+  },
+  {
+    name: 'pictures follow keys',
+    run: async (editor, { say }) => {
+      await editor.click('9', exponent);
+      const times = [];
+      for (let round = 0; round < 10; ++round) {
+        for (const key of ['1', 'Backspace']) times.push(await keyToPicture(editor, key));
+      }
+      times.sort((a, b) => a - b);
+      say(`        key to picture: median ${times[10]} ms, least ${times[0]}, most ${times[19]}; ${(await frame(editor, '')).status}`);
+      await editor.waitForSource(/p = 9 %/);
     },
   },
   {
