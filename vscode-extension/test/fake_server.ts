@@ -1,4 +1,5 @@
 // A server and a page that only remember what they were told.
+import type { WorkspaceEdit } from 'vscode-languageserver-protocol';
 import { Session } from '../src/preview/session';
 import { Api } from '../src/protocol';
 import type { Connection, FrameParams, Notifications, Parameter, Requests } from '../src/protocol';
@@ -21,6 +22,8 @@ export class Fake implements Connection {
   parameters: Parameter[] = [];
   /** Answers of apply, true when they are used up. */
   applies: boolean[] = [];
+  /** Of parameterEdit; else one that tells what was asked. */
+  edit: WorkspaceEdit | undefined;
   private previews = 0;
 
   readonly session = new Session({
@@ -42,7 +45,7 @@ export class Fake implements Connection {
     const answers: Partial<{ [K in keyof Requests]: () => Requests[K][1] }> = {
       'texbrdf/openPreview': () => ({ preview: ++this.previews, root: 'f' }),
       'texbrdf/parameters': () => this.parameters,
-      'texbrdf/parameterEdit': () => ({
+      'texbrdf/parameterEdit': () => this.edit ?? ({
         documentChanges: [{ textDocument: { uri: 'file:///a.tex', version: 1 }, edits: [{ range: nowhere, newText: JSON.stringify(params) }] }],
       }),
     };

@@ -97,6 +97,15 @@ test('a document that changes meanwhile is asked again, once', async () => {
   assert.equal(fake.reports.length, 1);
 });
 
+test('a value that the document has already is not written, and no problem', async () => {
+  const fake = await opened();
+  fake.edit = { documentChanges: [] };
+  await fake.session.pageSays({ type: 'write', name: 'm', value: [0.25] });
+  assert.deepEqual(fake.applied, []);
+  assert.deepEqual(fake.reports, []);
+  assert.deepEqual(fake.toldOf('texbrdf/setParameter'), [{ preview: 1, name: 'm', value: null }]);
+});
+
 test('a good frame that is newer than the errors ends them, an older one does not', async () => {
   const fake = await opened();
   fake.session.stateArrived({ preview: 1, uri: 'file:///a.tex', version: 5, state: 'errors', message: 'no' });

@@ -94,7 +94,7 @@ export class PreviewPanel implements vscode.Disposable {
 
 async function apply(changes: TextChange[]): Promise<boolean> {
   const isOld = ({ uri, version }: TextChange) => version !== null && findDocument(uri)?.version !== version;
-  if (changes.length === 0 || changes.some(isOld)) return false;
+  if (changes.some(isOld)) return false;
   const whole = new vscode.WorkspaceEdit();
   for (const { uri, range: { start, end }, newText } of changes) {
     whole.replace(vscode.Uri.parse(uri), new vscode.Range(start.line, start.character, end.line, end.character), newText);

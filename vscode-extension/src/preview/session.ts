@@ -252,7 +252,8 @@ export class Session {
   private async tryToWrite(uri: string, assignments: Assignment[]): Promise<boolean> {
     try {
       const edits = await Promise.all(assignments.map(({ name, value }) => this.around.api.parameterEdit({ uri, name, value })));
-      return await this.around.apply(textChanges(edits));
+      const changes = textChanges(edits);
+      return changes.length === 0 || await this.around.apply(changes);
     } catch {
       return false;
     }
