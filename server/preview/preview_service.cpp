@@ -37,6 +37,7 @@ struct Work {
   std::shared_ptr<const Drawable> drawable;  // of the GPU's; else what was drawn before
   Clock::time_point begin;
   bool is_current = true;
+  uint32_t max_size = 0;  // of a picture of the CPU
 };
 
 struct Slot {
@@ -50,6 +51,7 @@ struct Slot {
   bool is_current = true;                // `good` is the scene's own
   std::optional<SceneState> state;       // to be told
   std::optional<Frame> ready;
+  std::pair<uint64_t, Device> newest = {0, Device::Cpu};  // the serial of the last frame that was ready
   bool on_its_way = false;
 };
 
@@ -148,8 +150,9 @@ class PreviewService::Painter {
     return is_ending_ ? std::nullopt : std::move(work);
   }
 
-  static Work work_of(int64_t preview, const Slot& slot) {
-    return {preview, slot.serial, slot.scene, slot.good, slot.begin, slot.is_current};
+  Work work_of(int64_t preview, const Slot& slot) const {
+    const uint32_t max_size = has_no_gpu_ ? kMaxCpuSize : kMaxQuickSize;
+    return {preview, slot.serial, slot.scene, slot.good, slot.begin, slot.is_current, max_size};
   }
 
   std::optional<Work> next_for_cpu() const {
@@ -203,9 +206,9 @@ class PreviewService::Painter {
     work_.notify_all();
   }
 
-  render::Picture draw(const Work& work, render::SphereCache& cache) {
+  static render::Picture draw(const Work& work, render::SphereCache& cache) {
     render::SphereView view = work.scene->view;
-    view.size = std::min(view.size, has_no_gpu() ? kMaxCpuSize : kMaxQuickSize);
+    view.size = std::min(view.size, work.max_size);
     return draw_on_cpu(work.drawable->cpu, view, cache);
   }
 
@@ -239,11 +242,6 @@ class PreviewService::Painter {
     faults_.push_back(std::move(message));
   }
 
-  bool has_no_gpu() {
-    const std::lock_guard lock(mutex_);
-    return has_no_gpu_;
-  }
-
   /// The scenes are drawn once more on the CPU, at their full size.
   void give_up_gpu() {
     const std::lock_guard lock(mutex_);
@@ -252,20 +250,27 @@ class PreviewService::Painter {
     work_.notify_all();
   }
 
-  /// A CPU frame that is older than what the client is to get is left out.
+  /// A frame that is older than what the client is to get is left out.
   void deposit(const Work& work, Device device, std::optional<Frame> frame) {
     {
       const std::lock_guard lock(mutex_);
       const auto found = slots_.find(work.preview);
       if (found == slots_.end()) return;
-      Slot& slot = found->second;
-      uint64_t& drawn = device == Device::Cpu ? slot.drawn_on_cpu : slot.drawn_on_gpu;
-      drawn = std::max(drawn, work.serial);
-      const bool is_overtaken =
-          device == Device::Cpu ? slot.drawn_on_gpu >= work.serial : slot.drawn_on_cpu > work.serial;
-      if (frame && !is_overtaken) slot.ready = std::move(frame);
+      note_drawn(work, device, found->second);
+      const std::pair age(work.serial, device);
+      if (frame && age >= found->second.newest) {
+        found->second.newest = age;
+        found->second.ready = std::move(frame);
+      }
     }
     wake_();
+  }
+
+  /// A picture that was begun before the GPU was given up is not the last one of the CPU.
+  void note_drawn(const Work& work, Device device, Slot& slot) const {
+    if (device == Device::Cpu && has_no_gpu_ && work.max_size < kMaxCpuSize) return;
+    uint64_t& drawn = device == Device::Cpu ? slot.drawn_on_cpu : slot.drawn_on_gpu;
+    drawn = std::max(drawn, work.serial);
   }
 
   std::function<void()> wake_;

@@ -25,7 +25,8 @@
          "completionProvider": {"triggerCharacters":["\\","{","_"],"resolveProvider":true},
          "signatureHelpProvider": {"triggerCharacters":["(",","]},
          "codeActionProvider": {"codeActionKinds":["quickfix"]},
-         "workspace": {"workspaceFolders":{"supported":true,"changeNotifications":true}}
+         "workspace": {"workspaceFolders":{"supported":true,"changeNotifications":true}},
+         "experimental": {"texbrdf":{"preview":true}}
        },
        "serverInfo": {"name":"texbrdf","version":"0.0"}
      }

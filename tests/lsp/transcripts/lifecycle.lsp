@@ -29,7 +29,8 @@
          "codeLensProvider": {"resolveProvider":true},
          "completionProvider": {"triggerCharacters":["\\","{","_"],"resolveProvider":true},
          "signatureHelpProvider": {"triggerCharacters":["(",","]},
-         "workspace": {"workspaceFolders":{"supported":true,"changeNotifications":true}}
+         "workspace": {"workspaceFolders":{"supported":true,"changeNotifications":true}},
+         "experimental": {"texbrdf":{"preview":true}}
        },
        "serverInfo": {"name":"texbrdf","version":"0.0"}
      }

@@ -10,7 +10,8 @@
          "definitionProvider": true,
          "referencesProvider": {"workDoneProgress":true},
          "documentSymbolProvider": true,
-         "workspace": {"workspaceFolders":{"supported":true,"changeNotifications":true}}
+         "workspace": {"workspaceFolders":{"supported":true,"changeNotifications":true}},
+         "experimental": {"texbrdf":{"preview":true}}
        },
        "serverInfo": {"name":"texbrdf","version":"0.0"}
      }

@@ -89,7 +89,7 @@ class Client {
   uint64_t model_ = 0;
   std::vector<Frame> frames_;
   std::vector<SceneState> states_;
-  PreviewService service_{[this] { wake(); }, render::WorkerOptions{.executable = "/nowhere/texbrdf"}};
+  PreviewService service_{[this] { wake(); }, render::WorkerOptions{.executable = "/nowhere/texbrdf", .environment = {}}};
 };
 
 std::vector<uint8_t> pixels(const Frame& frame) {
@@ -143,7 +143,17 @@ TEST(PreviewService, SendsNoFrameBeforeTheLastOneWasShown) {
     ASSERT_TRUE(frame);
     EXPECT_GE(frame->version, version);
     version = frame->version;
-    if (version == kLast) EXPECT_EQ(pixels(*frame), expected_pixels(equation("f = 0.20")));
+    if (version == kLast) {
+      EXPECT_EQ(pixels(*frame), expected_pixels(equation("f = 0.20")));
+    }
+  }
+}
+
+TEST(PreviewService, AGpuThatFailsFirstTakesNoPictureAway) {
+  for (int i = 0; i < 100; ++i) {
+    Client client;
+    client.show(equation("f = 0.5"), 1);
+    ASSERT_TRUE(client.next_frame());
   }
 }
 
