@@ -18,11 +18,25 @@ bool is_ignored(const std::vector<Directive>& directives) {
   return std::ranges::any_of(directives, [](const Directive& d) { return d.kind == Directive::Kind::Ignore; });
 }
 
+void add_definition(const DefinitionSyntax& syntax, AnalysedBlock& block) {
+  const SmallNameMap mentioned = mentioned_names(block.parsed, syntax, block.names);
+  block.mentions.insert(block.mentions.end(), mentioned.names().begin(), mentioned.names().end());
+  for (uint32_t node = syntax.first_node; node < syntax.node.value; ++node) {
+    const NameId name = block.names.by_node[node];
+    if (name.valid()) block.places.push_back({name, NodeId{node}, block.parsed.span(NodeId{node})});
+  }
+  block.definitions.push_back({.name = block.names.by_node[syntax.name.value],
+                               .name_node = syntax.name,
+                               .left = syntax.left,
+                               .mentions_end = static_cast<uint32_t>(block.mentions.size()),
+                               .places_end = static_cast<uint32_t>(block.places.size())});
+}
+
 }  // namespace
 
 AnalysedBlock analyse_block(std::string_view text, const BlockExtent& extent, NameTable& table,
-                            std::pmr::memory_resource* memory) {
-  AnalysedBlock block(memory);
+                            std::pmr::memory_resource* memory, std::pmr::memory_resource* dense) {
+  AnalysedBlock block(memory, dense);
   block.parsed = parse_block(text, extent, memory);
   block.directives = directives_above(block.parsed.text, extent);
   if (is_ignored(block.directives)) {
@@ -31,12 +45,8 @@ AnalysedBlock analyse_block(std::string_view text, const BlockExtent& extent, Na
   }
   block.names = read_names(block.parsed, table, memory);
   block.definitions.reserve(block.parsed.definitions.size());
-  for (const DefinitionSyntax& definition : block.parsed.definitions) {
-    const SmallNameMap mentioned = mentioned_names(block.parsed, definition, block.names);
-    block.mentions.insert(block.mentions.end(), mentioned.names().begin(), mentioned.names().end());
-    const NameId name = block.names.by_node[definition.name.value];
-    block.definitions.push_back({name, static_cast<uint32_t>(block.mentions.size())});
-  }
+  block.places.reserve(std::ranges::count_if(block.names.by_node, &NameId::valid));
+  for (const DefinitionSyntax& definition : block.parsed.definitions) add_definition(definition, block);
   return block;
 }
 

@@ -12,27 +12,42 @@
 
 namespace texbrdf {
 
+/// A name in a block.
+struct NamePlace {
+  NameId name;
+  NodeId node;
+  Span span;  ///< relative to the block
+};
+
 /// What a definition says of names. Stands apart from its tree because it is read more often.
 struct NamedDefinition {
   NameId name;
-  uint32_t mentions_end = 0;  ///< in the list of its block; they begin behind those of the definition before
+  NodeId name_node;
+  NodeId left;                ///< the Name, or the Signature around it
+  uint32_t mentions_end = 0;  ///< in the lists of its block; they begin behind those of the definition before
+  uint32_t places_end = 0;
 };
 
 /// All that is known of a block alone: it is kept across edits as long as the block's bytes stay.
 struct AnalysedBlock {
-  /// Takes most of what it holds from `memory`, which has to outlive it.
-  explicit AnalysedBlock(std::pmr::memory_resource* memory)
-      : parsed(memory), names{std::pmr::vector<NameId>(memory)}, definitions(memory), mentions(memory) {}
+  /// Takes most of what it holds from `memory`, and what is read of many blocks from `dense`; both have to outlive it.
+  AnalysedBlock(std::pmr::memory_resource* memory, std::pmr::memory_resource* dense)
+      : definitions(dense), places(dense), mentions(dense), names{std::pmr::vector<NameId>(memory)}, parsed(memory) {}
 
-  ParsedBlock parsed;
+  std::pmr::vector<NamedDefinition> definitions;
+  std::pmr::vector<NamePlace> places;  ///< of all names in definitions, in order of nodes
+  std::pmr::vector<NameId> mentions;   ///< of all definitions, one after the other
   BlockNames names;
   std::vector<Directive> directives;  ///< those right above it
-  std::pmr::vector<NamedDefinition> definitions;
-  std::pmr::vector<NameId> mentions;  ///< of all definitions, one after the other
+  ParsedBlock parsed;
 
   std::span<const NameId> mentions_of(uint32_t definition) const {
     const uint32_t begin = definition == 0 ? 0 : definitions[definition - 1].mentions_end;
     return std::span(mentions).subspan(begin, definitions[definition].mentions_end - begin);
+  }
+  std::span<const NamePlace> places_of(uint32_t definition) const {
+    const uint32_t begin = definition == 0 ? 0 : definitions[definition - 1].places_end;
+    return std::span(places).subspan(begin, definitions[definition].places_end - begin);
   }
   NameId defined(uint32_t definition) const { return definitions[definition].name; }
   /// True where scanning gave the same block again, wherever it now stands.
@@ -40,6 +55,6 @@ struct AnalysedBlock {
 };
 
 AnalysedBlock analyse_block(std::string_view text, const BlockExtent& extent, NameTable& table,
-                            std::pmr::memory_resource* memory);
+                            std::pmr::memory_resource* memory, std::pmr::memory_resource* dense);
 
 }  // namespace texbrdf

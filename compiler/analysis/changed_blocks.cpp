@@ -62,7 +62,8 @@ class Reader {
       working.analysed = same->analysed;
       working.definitions = same->definitions;
     } else {
-      working.analysed = analysed_.make(analyse_block(text, block.extent, *state_.names, analysed_.memory()));
+      working.analysed = analysed_.make(
+          analyse_block(text, block.extent, *state_.names, analysed_.memory(), analysed_.dense_memory()));
       working.definitions.resize(working.analysed->parsed.definitions.size());
       ++counters_.blocks_parsed;
     }

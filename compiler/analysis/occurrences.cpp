@@ -6,30 +6,26 @@
 namespace texbrdf {
 namespace {
 
-/// Reads the names of one definition.
+/// Reads the names of one definition. Many are read when a name is looked for, so little is touched.
 class NameReader {
  public:
   NameReader(const Snapshot::State& state, const LocatedDefinition& definition)
       : state_(state),
         definition_(definition),
-        parsed_(definition.at.parsed()),
-        syntax_(definition.syntax()),
-        names_(definition.at.block->analysed->names.by_node) {}
+        named_(definition.at.block->analysed->definitions[definition.index_in_block]) {}
 
-  uint32_t begin() const { return syntax_.first_node; }
-  uint32_t end() const { return syntax_.node.value; }
-
-  NameId name(uint32_t node) const { return names_[node]; }
-  const Referent& referent(uint32_t node) const { return definition_.checked().referents[node - syntax_.first_node]; }
-  Span relative(uint32_t node) const { return parsed_.span(NodeId{node}); }
-  /// Each name means one thing: there is no parameter that hides one, and nothing that is not read.
-  bool is_plain() const {
-    return definition_.at.block->reports == 0 && parsed_.tree.node(syntax_.left).kind == NodeKind::Name;
+  std::span<const NamePlace> places() const {
+    return definition_.at.block->analysed->places_of(definition_.index_in_block);
   }
+  const Referent& referent(NodeId node) const {
+    return definition_.checked().referents[node.value - definition_.syntax().first_node];
+  }
+  /// Each name means one thing: there is no parameter that hides one, and nothing that is not read.
+  bool is_plain() const { return definition_.at.block->reports == 0 && named_.left == named_.name_node; }
 
-  Occurrence occurrence(uint32_t node) const {
-    Occurrence found = without_target(node, referent(node));
-    if (found.node != syntax_.name && found.referent.kind == Referent::Kind::Definition) {
+  Occurrence occurrence(const NamePlace& place) const {
+    Occurrence found = without_target(place, referent(place.node));
+    if (found.node != named_.name_node && found.referent.kind == Referent::Kind::Definition) {
       const std::optional<DefinitionKey> target = state_.find(found.name);
       if (target) found.target = state_.locate(*target).id();
     }
@@ -37,26 +33,23 @@ class NameReader {
   }
 
   /// Of a reference the target is not looked up.
-  Occurrence without_target(uint32_t node, const Referent& referent) const {
+  Occurrence without_target(const NamePlace& place, const Referent& referent) const {
     Occurrence found;
-    const Span span = relative(node);
-    found.span = {definition_.at.offset + span.begin, definition_.at.offset + span.end};
-    found.node = NodeId{node};
+    found.span = {definition_.at.offset + place.span.begin, definition_.at.offset + place.span.end};
+    found.node = place.node;
     found.block = definition_.at.id;
-    found.name = name(node);
+    found.name = place.name;
     found.inside = definition_.id();
     found.referent = referent;
-    found.is_definition = node <= syntax_.left.value;
-    if (found.node == syntax_.name) found.target = definition_.id();
+    found.is_definition = place.node.value <= named_.left.value;
+    if (found.node == named_.name_node) found.target = definition_.id();
     return found;
   }
 
  private:
   const Snapshot::State& state_;
   const LocatedDefinition& definition_;
-  const ParsedBlock& parsed_;
-  const DefinitionSyntax& syntax_;
-  const std::span<const NameId> names_;  // by node
+  const NamedDefinition& named_;
 };
 
 // A name that stands in one block of so many, or more, is not looked for block by block.
@@ -89,7 +82,9 @@ void visit_blocks_with(const Snapshot::State& state, NameId name, const Visit& v
   for (BlockLabel label : labels) visit(state.locate(label));
 }
 
+/// False where the name stands only in what is not read, as behind an unknown command.
 bool may_hold(const LocatedDefinition& definition, NameId name) {
+  if (definition.at.block->reports == 0) return true;
   const std::span<const NameId> mentions = definition.at.block->analysed->mentions_of(definition.index_in_block);
   return definition.name() == name || std::ranges::find(mentions, name) != mentions.end();
 }
@@ -105,10 +100,10 @@ std::optional<Occurrence> Snapshot::occurrence_at(uint32_t offset) const {
   for (uint32_t i = 0; i < block.block->definitions.size(); ++i) {
     const LocatedDefinition definition{block, i};
     const NameReader reader(*state_, definition);
-    for (uint32_t node = reader.begin(); node < reader.end(); ++node) {
-      if (!reader.name(node).valid() || !reader.relative(node).touches(relative)) continue;
-      const bool is_inside = relative < reader.relative(node).end;
-      if (is_inside || !touched) touched = reader.occurrence(node);
+    for (const NamePlace& place : reader.places()) {
+      if (!place.span.touches(relative)) continue;
+      const bool is_inside = relative < place.span.end;
+      if (is_inside || !touched) touched = reader.occurrence(place);
       if (is_inside) return touched;
     }
   }
@@ -124,10 +119,10 @@ std::vector<Occurrence> Snapshot::occurrences_of(const Occurrence& occurrence) c
   const auto read = [&](const LocatedDefinition& definition) {
     const NameReader reader(*state_, definition);
     const bool is_the_same = is_what_names_mean && reader.is_plain();
-    for (uint32_t node = reader.begin(); node < reader.end(); ++node) {
-      if (reader.name(node) != occurrence.name) continue;
-      if (!is_the_same && reader.referent(node) != occurrence.referent) continue;
-      found.push_back(reader.without_target(node, occurrence.referent));
+    for (const NamePlace& place : reader.places()) {
+      if (place.name != occurrence.name) continue;
+      if (!is_the_same && reader.referent(place.node) != occurrence.referent) continue;
+      found.push_back(reader.without_target(place, occurrence.referent));
       const bool is_reference = found.back().referent.kind == Referent::Kind::Definition;
       if (is_reference && !found.back().target.valid()) found.back().target = in_force;
     }

@@ -26,11 +26,9 @@ class SharedPool {
   }
 
   /// What the next value may hold its content in; it stays as long as the value and its neighbours.
-  std::pmr::memory_resource* memory() {
-    if (chunk_size_ == 1) return std::pmr::get_default_resource();
-    open_chunk();
-    return &chunk_->memory;
-  }
+  std::pmr::memory_resource* memory() { return memory(&Chunk::memory); }
+  /// The same for the little of it that is read of many values one after the other: there it stands close together.
+  std::pmr::memory_resource* dense_memory() { return memory(&Chunk::dense_memory); }
 
  private:
   // So that one that stays keeps little else.
@@ -46,10 +44,17 @@ class SharedPool {
     }
 
     std::pmr::monotonic_buffer_resource memory;
+    std::pmr::monotonic_buffer_resource dense_memory;
     const size_t size;
     T* const values;
     size_t used = 0;
   };
+
+  std::pmr::memory_resource* memory(std::pmr::monotonic_buffer_resource Chunk::* kind) {
+    if (chunk_size_ == 1) return std::pmr::get_default_resource();
+    open_chunk();
+    return &(*chunk_.*kind);
+  }
 
   void open_chunk() {
     if (!chunk_ || chunk_->used == chunk_size_) chunk_ = std::make_shared<Chunk>(chunk_size_);
