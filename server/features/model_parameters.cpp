@@ -3,10 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 #include "semantics/parameter.h"
+#include "source/internal_error.h"
 
 namespace texbrdf::features {
 namespace {
@@ -15,6 +19,9 @@ namespace {
 constexpr int kMaxDecimals = 15;
 constexpr double kStepsOfRange = 1000;
 constexpr int kColourDecimals = 3;
+/// What a pane shows of a number, and what people type.
+constexpr int kMeantDigits = 6;
+constexpr int kDigitsBehindPoint = 2;
 
 struct LiteralPlace {
   BlockId block;
@@ -30,37 +37,51 @@ std::optional<LiteralPlace> find_literal(const Snapshot& snapshot, std::string_v
   return literal ? std::optional(LiteralPlace{definition.block, *literal}) : std::nullopt;
 }
 
-int decimals_of(std::string_view number) {
-  const size_t point = number.find('.');
-  if (point == std::string_view::npos) return 0;
-  const size_t end = number.find_first_not_of("0123456789", point + 1);
-  return static_cast<int>(std::min(end, number.size()) - point - 1);
-}
-
-/// With zeros left out at the end, but for `least` decimals.
-std::string without_zeros(std::string number, int least) {
-  const size_t point = number.find('.');
-  if (point == std::string::npos) return number;
-  const size_t shortest = least == 0 ? point : point + 1 + static_cast<size_t>(least);
-  const size_t last = std::max(number.find_last_not_of('0') + 1, shortest);
-  number.resize(last);
-  if (number.back() == '.') number.pop_back();
-  return number;
-}
-
-/// A number in the place of `before`: with an exponent where that has one, else with as many decimals as needed.
-std::string number_like(std::string_view before, double value, int decimals) {
-  const size_t exponent = before.find_first_of("eE");
-  if (exponent != std::string_view::npos) {
-    const int digits = std::max(2, decimals_of(before.substr(0, exponent)));
-    const std::string text = fmt::format("{:.{}e}", value, digits);
-    const size_t mark = text.find('e');
-    return fmt::format("{}e{}", without_zeros(text.substr(0, mark), 0), std::stoi(text.substr(mark + 1)));
+/// The shortest decimal that reads as the value, as d.ddd and a power of ten.
+struct Decimal {
+  explicit Decimal(double value) {
+    std::array<char, 32> text{};
+    const auto [end, error] =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific);
+    require(error == std::errc{}, "a number too long to be written");
+    const std::string_view written(text.data(), end);
+    const size_t mark = written.find('e');
+    mantissa = written.substr(0, mark);
+    exponent = std::stoi(std::string(written.substr(mark + 1)));
   }
-  const int own = decimals_of(before);
-  std::string text = without_zeros(fmt::format("{:.{}f}", value, std::max(decimals, own)), own);
+  int digits() const {
+    return static_cast<int>(std::ranges::count_if(mantissa, [](char c) { return c >= '0'; }));
+  }
+
+  std::string mantissa;
+  int exponent = 0;
+};
+
+/// A number of more digits is what arithmetic left; nobody meant them all.
+double as_meant(double value, bool has_exponent, int decimals) {
+  if (Decimal(value).digits() <= kMeantDigits) return value;
+  const std::string text =
+      has_exponent ? fmt::format("{:.{}e}", value, kDigitsBehindPoint) : fmt::format("{:.{}f}", value, decimals);
+  return std::strtod(text.c_str(), nullptr);
+}
+
+std::string plain(double value) {
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed).ptr};
+}
+
+/// A number in the place of `before`: with an exponent or a leading point where that has one, with no digit more than
+/// it needs.
+std::string number_like(std::string_view before, double value, int decimals) {
+  const bool has_exponent = before.find_first_of("eE") != std::string_view::npos;
+  const double meant = as_meant(value, has_exponent, decimals) + 0.0;  // no negative zero
+  const Decimal decimal(meant);
+  if (has_exponent || std::abs(decimal.exponent) > kMaxDecimals) {
+    return fmt::format("{}e{}", decimal.mantissa, decimal.exponent);
+  }
+  std::string text = plain(meant);
   if (before.starts_with('.') && text.starts_with("0.")) text.erase(0, 1);
-  return text == "-0" ? "0" : text;
+  return text;
 }
 
 int decimals_for(double low, double high) {

@@ -30,8 +30,8 @@ std::vector<ModelParameter> model_parameters(const Snapshot& snapshot, std::stri
 std::vector<std::string> brdf_names(const Snapshot& snapshot);
 
 /// The changes that write a value into the document, in its own notation; nothing where there is no such parameter or
-/// the value is none of it. A real number gets as many digits as a thousandth of its range needs, and no fewer than
-/// it has.
+/// the value is none of it. A number of up to six digits is written as it is, without zeros at its end; a longer one is
+/// rounded to a thousandth of the parameter's range.
 std::optional<std::vector<TextEdit>> parameter_edit(const Snapshot& snapshot, std::string_view name,
                                                     std::span<const double> value);
 

@@ -205,7 +205,7 @@ export const previewSteps = [
       await editor.waitForSource(/\\rho_d = \\vec\{0\.033, 0\.319, 0\.604\}/);
       await waitForPicture(editor, program);
       await editor.webview.locator('#resetAll').click();
-      await editor.waitForSource(/\\rho_d = \\vec\{0\.70*, 0\.350*, 0\.20*\}[^]*p = 60 %/);
+      await editor.waitForSource(/\\rho_d = \\vec\{0\.7, 0\.35, 0\.2\}[^]*p = 60 %/);
       await waitForPicture(editor, program);
     },
   },

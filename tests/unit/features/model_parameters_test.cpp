@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "analysis/document.h"
@@ -22,7 +23,7 @@ std::string written(const std::string& literal, const std::vector<double>& value
   for (auto edit = edits->rbegin(); edit != edits->rend(); ++edit) document.replace(edit->span, edit->text);
   const std::string text = document.text().bytes();
   const size_t begin = text.find("m = ") + 4;
-  return text.substr(begin, text.find_first_of("\n%", begin) - begin);
+  return text.substr(begin, std::min(text.find(" %", begin), text.find('\n', begin)) - begin);
 }
 
 TEST(ModelParameters, AreThoseThatTheRootNeeds) {
@@ -49,19 +50,39 @@ TEST(ModelParameters, AreNoneWhereTheRootIsInError) {
 }
 
 TEST(ParameterEdit, KeepsTheNotationOfTheDocument) {
-  EXPECT_EQ(written("0.3", {0.4567891}, " % range [0, 1]"), "0.457");
-  EXPECT_EQ(written("0.30", {0.5}, " % range [0, 1]"), "0.50");
   EXPECT_EQ(written(".3", {0.25}, " % range [0, 1]"), ".25");
-  EXPECT_EQ(written("20", {63.27}, " % range [1, 1000]"), "63.3");
-  EXPECT_EQ(written("20", {64}, " % range [1, 1000]"), "64");
-  EXPECT_EQ(written("2e-3", {0.00512345}, " % range [0, 1]"), "5.12e-3");
   EXPECT_EQ(written("-0.5", {0.25}, " % range [-1, 1]"), "0.25");
-  EXPECT_EQ(written("-0.5", {-0.0001}, " % range [-1, 1]"), "0.0");
+  EXPECT_EQ(written("2e-3", {0.005}, " % range [0, 1]"), "5e-3");
+  EXPECT_EQ(written("2e-3", {20}, " % range [0, 1]"), "2e1");
+}
+
+TEST(ParameterEdit, RoundsToWhatASliderCanMean) {
+  EXPECT_EQ(written("0.3", {0.4567891}, " % range [0, 1]"), "0.457");
+  EXPECT_EQ(written("20", {63.271234}, " % range [1, 1000]"), "63.3");
+  EXPECT_EQ(written("2e-3", {0.005123456}, " % range [0, 1]"), "5.12e-3");
+  EXPECT_EQ(written("-0.5", {-0.000123456789}, " % range [-1, 1]"), "0");
+  EXPECT_EQ(written("0.5", {0.1 + 0.2}, " % range [0, 1]"), "0.3");
+}
+
+TEST(ParameterEdit, LeavesANumberAsItWasMeant) {
+  EXPECT_EQ(written("0.3", {0.12345}, " % range [0, 1]"), "0.12345");
+  EXPECT_EQ(written("20", {63.27}, " % range [1, 1000]"), "63.27");
+  EXPECT_EQ(written("0.5", {123456}, " % range [0, 1]"), "123456");
+  EXPECT_EQ(written("0.5", {1e-20}, " % range [0, 1]"), "1e-20");
+  EXPECT_EQ(written("0.5", {1.5e300}, " % range [0, 1]"), "1.5e300");
+  EXPECT_EQ(written("0.5", {-0.0}, " % range [0, 1]"), "0");
+}
+
+TEST(ParameterEdit, KeepsNoDigitsOfTheNumberThatItReplaces) {
+  EXPECT_EQ(written("0.300", {0.5}, " % range [0, 1]"), "0.5");
+  EXPECT_EQ(written("20.00", {64}, " % range [1, 1000]"), "64");
+  EXPECT_EQ(written("2.000e-3", {0.001}, " % range [0, 1]"), "1e-3");
+  EXPECT_EQ(written("\\vec{0.699, 0.319, 0.604}", {0.7, 0.35, 0.2}), "\\vec{0.7, 0.35, 0.2}");
 }
 
 TEST(ParameterEdit, WritesOnlyTheComponentsThatChange) {
-  EXPECT_EQ(written("\\vec{0.5, .25, 1}", {0.5, 0.125, 1}), "\\vec{0.5, .125, 1}");
-  EXPECT_EQ(written("\\vec{0.5,  0.25,1}", {0.1, 0.2, 0.3}), "\\vec{0.1,  0.20,0.3}");
+  EXPECT_EQ(written("\\vec{0.5, .25, 1.0}", {0.5, 0.125, 1}), "\\vec{0.5, .125, 1.0}");
+  EXPECT_EQ(written("\\vec{0.5,  0.25,1}", {0.1, 0.2, 0.3}), "\\vec{0.1,  0.2,0.3}");
 }
 
 TEST(ParameterEdit, RefusesWhatIsNoValueOfIt) {
