@@ -4,7 +4,11 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
+
+#include "emit/code_text.h"
+#include "semantics/names.h"
 
 namespace texbrdf::emit {
 
@@ -39,6 +43,15 @@ struct Expression {
   std::vector<ExpressionId> operands;
 };
 
+/// What is shown above the code that is made of it.
+struct Equation {
+  Equation() = default;
+  Equation(NameId of, std::string source) : name(of), text(std::move(source)) {}
+
+  NameId name;
+  std::string text;  ///< may be empty: then nothing is shown
+};
+
 /// All expressions of one file. Operands are older than their users and may have several.
 class ExpressionPool {
  public:
@@ -62,7 +75,7 @@ class ExpressionPool {
 
 struct Statement {
   enum class Kind : uint8_t {
-    Comment,  ///< `text` is an equation: an empty line, then a comment
+    Comment,  ///< `text` is an equation: an empty line, then a comment, then its code up to the next empty line
     Declare,  ///< `type name = value;`
     Update,   ///< `name text value;` as in `sum += value;`
     For,      ///< `for (text) { body }`
@@ -72,6 +85,7 @@ struct Statement {
     Blank,
   };
   Kind kind = Kind::Blank;
+  NameId source;  ///< of a Comment: whose equation it is; of a Declare that is a parameter: which
   std::string type;
   std::string name;
   std::string text;
@@ -86,7 +100,7 @@ struct FunctionParameter {
 };
 
 struct Function {
-  std::string equation;  ///< the comment above it; may be empty
+  Equation equation;
   std::string type;
   std::string name;
   std::vector<FunctionParameter> parameters;
@@ -94,7 +108,7 @@ struct Function {
 };
 
 /// Lines end with "\n" and are shorter than 100 columns as long as no name is longer than a third of that.
-std::string print_function(const ExpressionPool& pool, const Function& function);
+CodeText print_function(const ExpressionPool& pool, const Function& function);
 /// On one line.
 std::string print_expression(const ExpressionPool& pool, ExpressionId id);
 

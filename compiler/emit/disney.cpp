@@ -17,13 +17,17 @@ std::string parameter_line(const ir::Parameter& parameter, const std::string& na
 
 }  // namespace
 
-Result<std::string> emit_disney(const ir::Program& program, const EmitOptions& /*options*/) {
+Result<EmittedCode> emit_disney(const ir::Program& program, const EmitOptions& /*options*/) {
   Result<GlslCode> code = write_glsl(program, kExplorerDialect, ParameterScope::Everywhere);
   if (!code) return Failure{code.error()};
-  std::string out = "analytic\n\n::begin parameters\n";
+  CodeText out;
+  out.append("analytic\n\n::begin parameters\n");
   for (std::size_t i = 0; i < program.parameters.size(); ++i)
-    out += parameter_line(program.parameters[i], code->parameters[i]);
-  return out + "::end parameters\n\n::begin shader\n\n" + code->functions + "\n::end shader\n";
+    out.append_line(parameter_line(program.parameters[i], code->parameters[i]), program.parameters[i].id);
+  out.append("::end parameters\n\n::begin shader\n\n");
+  out.append(code->functions);
+  out.append("\n::end shader\n");
+  return out.take();
 }
 
 }  // namespace texbrdf::emit

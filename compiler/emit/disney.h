@@ -5,6 +5,6 @@
 namespace texbrdf::emit {
 
 /// A .brdf file: parameters with their ranges, then the shader.
-Result<std::string> emit_disney(const ir::Program& program, const EmitOptions& options);
+Result<EmittedCode> emit_disney(const ir::Program& program, const EmitOptions& options);
 
 }  // namespace texbrdf::emit

@@ -26,18 +26,21 @@ std::string uniform(const ir::Parameter& parameter, const std::string& name) {
 
 }  // namespace
 
-Result<std::string> emit_glsl(const ir::Program& program, const EmitOptions& options) {
+Result<EmittedCode> emit_glsl(const ir::Program& program, const EmitOptions& options) {
   bool uniforms = options.parameters == ParameterStyle::Uniform;
   Result<GlslCode> code =
       write_glsl(program, kGlslDialect, uniforms ? ParameterScope::Everywhere : ParameterScope::EntryPoint);
   if (!code) return Failure{code.error()};
-  std::string out = std::string(kUsage) + "\n";
+  CodeText out;
+  out.append(kUsage);
+  out.append("\n");
   if (uniforms && !program.parameters.empty()) {
     for (std::size_t i = 0; i < program.parameters.size(); ++i)
-      out += uniform(program.parameters[i], code->parameters[i]);
-    out += "\n";
+      out.append_line(uniform(program.parameters[i], code->parameters[i]), program.parameters[i].id);
+    out.append("\n");
   }
-  return out + code->functions;
+  out.append(code->functions);
+  return out.take();
 }
 
 }  // namespace texbrdf::emit

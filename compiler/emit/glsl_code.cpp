@@ -31,10 +31,16 @@ class CodeWriter {
     Result<LiftedProgram> lifted = lift(program_, parameter_scope_);
     if (!lifted) return Failure{lifted.error()};
     claim_definitions(*lifted);
-    std::string functions;
-    for (const LiftedFunction& function : lifted->functions) functions += write(function) + "\n";
-    functions += entry_point(*lifted);
-    return GlslCode{parameters_, print_helpers(helpers_) + functions};
+    CodeText functions;
+    for (const LiftedFunction& function : lifted->functions) {
+      functions.append(write(function));
+      functions.append("\n");
+    }
+    functions.append(entry_point(*lifted));
+    CodeText all;
+    all.append(print_helpers(helpers_));
+    all.append(functions);
+    return GlslCode{parameters_, std::move(all)};
   }
 
  private:
@@ -52,7 +58,7 @@ class CodeWriter {
 
   static std::vector<std::string> no_conventions() { return std::vector<std::string>(conventions().size()); }
 
-  std::string write(const LiftedFunction& lifted) {
+  CodeText write(const LiftedFunction& lifted) {
     const ir::ProgramDefinition& definition = program_.definitions[lifted.definition];
     FunctionScope scope{.names = Namer(dialect_),
                         .formals = {},
@@ -67,7 +73,7 @@ class CodeWriter {
       scope.names.reserve(symbol);
       scope.conventions[capture.index] = symbol;
     }
-    Function function{.equation = definition.equation,
+    Function function{.equation = {definition.id, definition.equation},
                       .type = std::string(glsl_type(definition.signature.result)),
                       .name = definitions_[lifted.definition],
                       .parameters = {},
@@ -110,7 +116,7 @@ class CodeWriter {
     throw InternalError("a capture of no kind");
   }
 
-  std::string entry_point(const LiftedProgram& lifted) {
+  CodeText entry_point(const LiftedProgram& lifted) {
     FunctionScope scope{.names = names_,
                         .formals = {},
                         .parameters = parameters_,
@@ -141,7 +147,7 @@ class CodeWriter {
     std::vector<BodyItem> items;
     for (uint32_t index : lifted.definitions) {
       const ir::ProgramDefinition& definition = program_.definitions[index];
-      items.push_back({.equation = definition.equation,
+      items.push_back({.equation = {definition.id, definition.equation},
                        .type = std::string(glsl_type(definition.signature.result)),
                        .name = definitions_[index]});
     }
@@ -158,6 +164,7 @@ class CodeWriter {
       const ir::Parameter& parameter = program_.parameters[i];
       Statement& s = result.emplace_back();
       s.kind = Statement::Kind::Declare;
+      s.source = parameter.id;
       s.type = "const " + std::string(glsl_type(parameter.type));
       s.name = parameters_[i];
       s.value = write_number(pool_, parameter.value[0]);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "emit/code_text.h"
 #include "emit/dialect.h"
 #include "emit/lift.h"
 #include "emit/namer.h"
@@ -14,7 +15,7 @@ namespace texbrdf::emit {
 /// A program as functions of GLSL, the entry point last.
 struct GlslCode {
   std::vector<std::string> parameters;  ///< identifiers, by index of Program::parameters
-  std::string functions;
+  CodeText functions;
 };
 
 /// `scope`: Everywhere for parameters that are uniforms.

@@ -19,10 +19,11 @@ class Layout {
  public:
   Layout(const ExpressionPool& pool, uint32_t width) : pool_(pool), width_(width) {}
 
-  std::string take() { return std::move(out_); }
+  CodeText take() { return std::move(out_); }
 
   void function(const Function& f) {
-    if (!f.equation.empty()) out_ += equation_comment(f.equation, 0);
+    const uint32_t first_line = out_.line_count();
+    text(equation_comment(f.equation.text, 0));
     text(f.type + " " + f.name + "(");
     uint32_t open = column_;
     for (std::size_t i = 0; i < f.parameters.size(); ++i) {
@@ -33,7 +34,9 @@ class Layout {
     }
     text(f.parameters.empty() ? ") {\n" : "\n");
     statements(f.body, kIndent);
-    out_ += "}\n";
+    end_source();
+    text("}\n");
+    if (f.equation.name.valid()) out_.note_lines(f.equation.name, first_line);
   }
 
   void flat(ExpressionId id) { expression(id, 0, 0); }
@@ -42,18 +45,31 @@ class Layout {
   void statements(const std::vector<Statement>& list, uint32_t indent) {
     bool first = true;
     for (const Statement& s : list) {
+      const bool begins_anew = s.kind == Statement::Kind::Blank || s.kind == Statement::Kind::Comment;
+      if (begins_anew || s.source.valid()) end_source();
+      if (s.source.valid()) begin_source(s.source);
       statement(s, indent, first);
       first = false;
     }
   }
 
+  void begin_source(NameId name) {
+    source_ = name;
+    source_begin_ = out_.line_count();
+  }
+
+  void end_source() {
+    if (source_.valid()) out_.note_lines(source_, source_begin_);
+    source_ = {};
+  }
+
   void statement(const Statement& s, uint32_t indent, bool first) {
     switch (s.kind) {
       case Statement::Kind::Blank:
-        if (!first) out_ += "\n";
+        if (!first) text("\n");
         return;
       case Statement::Kind::Comment:
-        out_ += equation_comment(s.text, indent);
+        text(equation_comment(s.text, indent));
         return;
       case Statement::Kind::Declare:
         begin_line(indent);
@@ -138,11 +154,11 @@ class Layout {
   void call(const Expression& e, uint32_t indent, uint32_t tail) {
     text(e.text + "(");
     uint32_t inside = inner_indent(indent);
-    uint32_t first_line = line_;
+    uint32_t first_line = out_.line_count();
     uint32_t count = static_cast<uint32_t>(e.operands.size());
     for (uint32_t i = 0; i < count; ++i) {
       uint32_t after = i + 1 == count ? tail + 1 : 1;
-      bool after_several_lines = line_ != first_line;
+      bool after_several_lines = out_.line_count() != first_line;
       if (i > 0 && after_several_lines) {
         new_line(inside);
       } else if (i > 0) {
@@ -203,8 +219,7 @@ class Layout {
   void new_line(uint32_t indent) { text("\n" + std::string(indent, ' ')); }
 
   void text(std::string_view piece) {
-    out_ += piece;
-    line_ += static_cast<uint32_t>(std::ranges::count(piece, '\n'));
+    out_.append(piece);
     std::size_t line_end = piece.rfind('\n');
     column_ = line_end == std::string_view::npos ? column_ + static_cast<uint32_t>(piece.size())
                                                  : static_cast<uint32_t>(piece.size() - line_end - 1);
@@ -212,14 +227,15 @@ class Layout {
 
   const ExpressionPool& pool_;
   uint32_t width_;  ///< 0: no limit
-  std::string out_;
+  CodeText out_;
   uint32_t column_ = 0;
-  uint32_t line_ = 0;
+  NameId source_;  ///< of the lines that are being written
+  uint32_t source_begin_ = 0;
 };
 
 }  // namespace
 
-std::string print_function(const ExpressionPool& pool, const Function& function) {
+CodeText print_function(const ExpressionPool& pool, const Function& function) {
   Layout layout(pool, kLineWidth);
   layout.function(function);
   return layout.take();
@@ -228,7 +244,7 @@ std::string print_function(const ExpressionPool& pool, const Function& function)
 std::string print_expression(const ExpressionPool& pool, ExpressionId id) {
   Layout layout(pool, 0);
   layout.flat(id);
-  return layout.take();
+  return layout.take().take().text;
 }
 
 }  // namespace texbrdf::emit

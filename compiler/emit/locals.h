@@ -18,7 +18,7 @@ namespace texbrdf::emit {
 /// A value that is declared, instead of written at each place of use.
 struct Local {
   std::string name;          ///< empty: the value is no local
-  std::string equation;      ///< the comment above its declaration
+  Equation equation;         ///< above its declaration
   bool has_meaning = false;  ///< its name says what it is, so it may stand above the equation that uses it
 };
 

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "emit/code.h"
 #include "emit/namer.h"
 #include "semantics/types.h"
 
@@ -20,7 +21,7 @@ struct FunctionScope {
 
 /// A local with the value of one root of the graph, or the function's result.
 struct BodyItem {
-  std::string equation;  ///< the comment above; may be empty
+  Equation equation;
   std::string type;
   std::string name;     ///< empty: it is returned
   bool spread = false;  ///< a real that is returned as a grey triple

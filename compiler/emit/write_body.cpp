@@ -96,7 +96,7 @@ class BodyWriter {
     bool after_equation = false;
     for (ValueId id : above) {
       if (after_equation) blank();
-      after_equation = !local(id).equation.empty();
+      after_equation = !local(id).equation.text.empty();
       declare(id, 0, statements_);
     }
     if (is_local) return declare_with(root, list);
@@ -115,7 +115,7 @@ class BodyWriter {
     comment(local(root).equation);
     for (ValueId id : parts)
       if (!declared_[id.value]) declare(id, 0, statements_);
-    plan_.locals[root.value].equation.clear();
+    plan_.locals[root.value].equation = {};
     declare(root, 0, statements_);
   }
 
@@ -185,11 +185,12 @@ class BodyWriter {
     loop.body.push_back(declaration("float", variable, position));
   }
 
-  void comment(const std::string& equation) {
-    if (equation.empty()) return;
+  void comment(const Equation& equation) {
+    if (equation.text.empty()) return;
     blank();
     statements_.push_back(statement(Statement::Kind::Comment));
-    statements_.back().text = equation;
+    statements_.back().source = equation.name;
+    statements_.back().text = equation.text;
   }
 
   void blank() {

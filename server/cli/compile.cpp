@@ -22,12 +22,12 @@ ExitCode compile(const CompileOptions& options) {
   const auto loaded = load_model(options.model);
   if (const auto* failed = std::get_if<ExitCode>(&loaded)) return *failed;
   const Model& model = std::get<Model>(loaded);
-  const Result<std::string> code = emit::find_target(options.target)->emit(model.program, options.emit);
+  const Result<emit::EmittedCode> code = emit::find_target(options.target)->emit(model.program, options.emit);
   if (!code) {
     print_message(code.error());
     return ExitCode::DocumentHasErrors;
   }
-  if (const auto failure = write_output(options.output, *code)) {
+  if (const auto failure = write_output(options.output, code->text)) {
     print_message(failure->message);
     return ExitCode::BadUsage;
   }

@@ -2,7 +2,6 @@
 
 #include <variant>
 
-#include "emit/emit.h"
 #include "features/model_parameters.h"
 #include "lsp/base64.h"
 #include "lsp/session.h"
@@ -149,25 +148,6 @@ Session::Outcome Session::roots(const ModelParams& params, JsonWriter& result) {
   result.begin_array();
   for (const std::string& name : features::brdf_names(snapshot)) result.value(name);
   result.end_array();
-  result.end_object();
-  return std::nullopt;
-}
-
-Session::Outcome Session::emit(const EmitParams& params, JsonWriter& result) {
-  OpenDocument* open = documents_.find(params.uri);
-  if (open == nullptr) return not_open(params.uri);
-  const emit::Target* const target = emit::find_target(params.target);
-  if (target == nullptr) return ResponseError{ErrorCode::InvalidParams, "no target " + params.target};
-  const Result<ir::Program> program = open->document.snapshot().program(params.root);
-  const Result<std::string> code = program ? target->emit(*program, {}) : Failure{program.error()};
-  result.begin_object();
-  result.key("text");
-  if (code) {
-    result.value(*code);
-  } else {
-    result.null();
-    result.member("problem", code.error());
-  }
   result.end_object();
   return std::nullopt;
 }

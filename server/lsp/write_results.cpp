@@ -135,9 +135,13 @@ void write_definition_link(JsonWriter& out, Positions& positions, std::string_vi
 
 void write_location(JsonWriter& out, Positions& positions, std::string_view uri, Span span) {
   out.begin_object();
+  write_location_members(out, positions, uri, span);
+  out.end_object();
+}
+
+void write_location_members(JsonWriter& out, Positions& positions, std::string_view uri, Span span) {
   write_uri(out, "uri", positions, uri, span);
   write_range(out, "range", positions.range(span));
-  out.end_object();
 }
 
 void write_locations(JsonWriter& out, Positions& positions, std::string_view uri, std::span<const Span> spans) {

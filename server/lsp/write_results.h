@@ -24,6 +24,8 @@ void write_hover(JsonWriter& out, Positions& positions, const features::Hover& h
 void write_definition_link(JsonWriter& out, Positions& positions, std::string_view uri,
                            const features::DefinitionLink& link);
 void write_location(JsonWriter& out, Positions& positions, std::string_view uri, Span span);
+/// `uri` and `range` of an object that has more.
+void write_location_members(JsonWriter& out, Positions& positions, std::string_view uri, Span span);
 /// Location[]
 void write_locations(JsonWriter& out, Positions& positions, std::string_view uri, std::span<const Span> spans);
 

@@ -22,9 +22,9 @@ render::Uniform uniform_of(const ir::Parameter& parameter, std::string name) {
 Result<render::ShaderModel> shader_model(const ir::Program& program) {
   const emit::Target* glsl = emit::find_target("glsl");
   require(glsl != nullptr, "there is no target glsl");
-  Result<std::string> source = glsl->emit(program, {.parameters = emit::ParameterStyle::Uniform});
+  Result<emit::EmittedCode> source = glsl->emit(program, {.parameters = emit::ParameterStyle::Uniform});
   if (!source) return Failure{source.error()};
-  render::ShaderModel model{*std::move(source), {}};
+  render::ShaderModel model{std::move(source->text), {}};
   const std::vector<std::string> names = emit::parameter_identifiers(program);
   for (std::size_t i = 0; i < program.parameters.size(); ++i) {
     model.uniforms.push_back(uniform_of(program.parameters[i], names[i]));

@@ -28,7 +28,7 @@ inline std::string describe(const Snapshot& snapshot) {
         std::to_string(static_cast<int>(definition.checked->signature.result)) + " " + snapshot.equation({i}) + "\n";
   }
   if (const Result<ir::Program> program = snapshot.program()) {
-    if (const Result<std::string> code = emit::find_target("glsl")->emit(*program, {})) result += *code;
+    if (const Result<emit::EmittedCode> code = emit::find_target("glsl")->emit(*program, {})) result += code->text;
   }
   return result;
 }

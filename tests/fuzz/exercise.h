@@ -40,8 +40,8 @@ inline void evaluate(const ir::Program& program) {
 inline void emit_all(const ir::Program& program) {
   for (const emit::Target& target : emit::targets()) {
     for (const auto style : {emit::ParameterStyle::Constant, emit::ParameterStyle::Uniform}) {
-      const Result<std::string> code = target.emit(program, {.parameters = style});
-      require(!code || !code->empty(), "a target writes nothing");
+      const Result<emit::EmittedCode> code = target.emit(program, {.parameters = style});
+      require(!code || !code->text.empty(), "a target writes nothing");
     }
   }
   require(emit::parameter_identifiers(program).size() == program.parameters.size(), "a parameter has no identifier");

@@ -31,11 +31,25 @@ ir::Program program_of(const std::string& text) {
   return *std::move(program);
 }
 
+/// Everybody's lines are there, before those of the next.
+std::string faults_of_lines(const emit::EmittedCode& code) {
+  const auto count = static_cast<uint32_t>(std::ranges::count(code.text, '\n'));
+  uint32_t next = 0;
+  for (const emit::CodeLines& lines : code.lines) {
+    if (lines.first < next || lines.last < lines.first || lines.last >= count) {
+      return "lines " + std::to_string(lines.first) + " to " + std::to_string(lines.last) + "\n" + code.text;
+    }
+    next = lines.last + 1;
+  }
+  return "";
+}
+
 std::string emit_as(const ir::Program& program, std::string_view target,
                     emit::ParameterStyle style = emit::ParameterStyle::Constant) {
-  Result<std::string> code = emit::find_target(target)->emit(program, {.parameters = style});
+  Result<emit::EmittedCode> code = emit::find_target(target)->emit(program, {.parameters = style});
   if (!code) throw std::runtime_error(code.error());
-  return *std::move(code);
+  EXPECT_EQ(faults_of_lines(*code), "");
+  return std::move(code->text);
 }
 
 /// Plain ASCII, short lines, no space at their ends, never two empty ones.

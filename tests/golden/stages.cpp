@@ -55,8 +55,8 @@ std::string ir_of_program(const Snapshot& snapshot) {
 std::string emitted(const Snapshot& snapshot, std::string_view target) {
   Result<ir::Program> program = snapshot.program();
   if (!program) return "no program: " + program.error() + "\n";
-  Result<std::string> code = emit::find_target(target)->emit(*program, {});
-  return code ? *code : "not emitted: " + code.error() + "\n";
+  Result<emit::EmittedCode> code = emit::find_target(target)->emit(*program, {});
+  return code ? code->text : "not emitted: " + code.error() + "\n";
 }
 
 std::string glsl(const Snapshot& snapshot) {

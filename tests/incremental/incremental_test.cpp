@@ -72,7 +72,7 @@ std::string everything_of(const Snapshot& snapshot) {
   if (!program) return out + program.error();
   const emit::Target* glsl = emit::find_target("glsl");
   const auto code = glsl->emit(*program, {});
-  return out + (code ? *code : code.error());
+  return out + (code ? code->text : code.error());
 }
 
 std::string block(const std::string& equation) {

@@ -70,11 +70,11 @@ TEST_F(Code, WritesCallsMembersAndConditionals) {
 TEST_F(Code, BreaksLongRowsBeforeOperators) {
   ExpressionId row = atom("first_operand");
   for (int i = 0; i < 8; ++i) row = add(row, atom("another_operand"));
-  Function function{.equation = "", .type = "float", .name = "f", .parameters = {}, .body = {}};
+  Function function{.equation = {}, .type = "float", .name = "f", .parameters = {}, .body = {}};
   function.body.resize(1);
   function.body[0].kind = Statement::Kind::Return;
   function.body[0].value = row;
-  EXPECT_EQ(print_function(pool_, function),
+  EXPECT_EQ(print_function(pool_, function).take().text,
             "float f() {\n"
             "  return first_operand + another_operand + another_operand + another_operand + another_operand\n"
             "      + another_operand + another_operand + another_operand + another_operand;\n"
@@ -84,13 +84,13 @@ TEST_F(Code, BreaksLongRowsBeforeOperators) {
 TEST_F(Code, AlignsWhatParenthesesHold) {
   ExpressionId long_name = atom("a_name_that_is_rather_long");
   ExpressionId sum = add(add(long_name, long_name), add(long_name, long_name));
-  Function function{.equation = "", .type = "float", .name = "f", .parameters = {{"float", "x"}}, .body = {}};
+  Function function{.equation = {}, .type = "float", .name = "f", .parameters = {{"float", "x"}}, .body = {}};
   function.body.resize(1);
   function.body[0].kind = Statement::Kind::Declare;
   function.body[0].type = "float";
   function.body[0].name = "y";
   function.body[0].value = pool_.call("function", {sum, multiply(a_, add(b_, c_))});
-  EXPECT_EQ(print_function(pool_, function),
+  EXPECT_EQ(print_function(pool_, function).take().text,
             "float f(float x) {\n"
             "  float y = function(a_name_that_is_rather_long + a_name_that_is_rather_long\n"
             "                     + (a_name_that_is_rather_long + a_name_that_is_rather_long),\n"

@@ -22,11 +22,11 @@ std::string body_of(const std::string& graph_text) {
   root.name.base = "f";
   root.graph = test::GraphReader(graph_text).read();
   root.signature.result = root.graph.at(root.graph.roots[0]).type;
-  Result<std::string> code = find_target("glsl")->emit(program, {.parameters = ParameterStyle::Uniform});
+  Result<EmittedCode> code = find_target("glsl")->emit(program, {.parameters = ParameterStyle::Uniform});
   if (!code) return code.error();
-  std::size_t body = code->find("vec3 brdf(");
-  body = code->find('\n', body) + 1;
-  return code->substr(body, code->rfind('}') - body);
+  std::size_t body = code->text.find("vec3 brdf(");
+  body = code->text.find('\n', body) + 1;
+  return code->text.substr(body, code->text.rfind('}') - body);
 }
 
 struct OpCase {

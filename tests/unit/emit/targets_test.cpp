@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <map>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "emit/emit.h"
 #include "support/linkable_document.h"
@@ -19,8 +21,8 @@ std::string equation(const std::string& text) {
 std::string emit_as(std::string_view target, const std::string& text, const EmitOptions& options = {}) {
   Result<ir::Program> program = test::LinkableDocument(text).link();
   if (!program) return program.error();
-  Result<std::string> code = find_target(target)->emit(*program, options);
-  return code ? *code : code.error();
+  Result<EmittedCode> code = find_target(target)->emit(*program, options);
+  return code ? code->text : code.error();
 }
 
 /// The lines between two lines.
@@ -32,6 +34,28 @@ std::string section(const std::string& file, const std::string& first, const std
   return file.substr(begin, end - begin);
 }
 
+/// Each name with lines of its own, and those lines.
+std::string lines_of(std::string_view target, const std::string& text, ParameterStyle style = {}) {
+  const ir::Program program = *test::LinkableDocument(text).link();
+  const EmittedCode code = *find_target(target)->emit(program, {.parameters = style});
+  std::map<NameId, std::string> names;
+  for (const ir::Parameter& parameter : program.parameters) names[parameter.id] = parameter.canonical;
+  for (const ir::ProgramDefinition& definition : program.definitions) names[definition.id] = definition.canonical;
+  std::vector<std::string> rows;
+  std::istringstream stream(code.text);
+  for (std::string row; std::getline(stream, row);) rows.push_back(row);
+  std::string out;
+  for (const CodeLines& lines : code.lines) {
+    out += names.at(lines.name) + ":\n";
+    for (uint32_t row = lines.first; row <= lines.last; ++row) out += rows.at(row) + "\n";
+  }
+  return out;
+}
+
+const std::string kShared = equation("m = 0.5") + equation("\\rho_d = \\vec{0.3, 0.05, 1}") +
+                            equation("g(x) = m * x^2") + equation("a = \\cos\\theta_h + m") +
+                            equation("f = \\rho_d * g(a) + \\vec{1, 1, 1} * a * \\pi");
+
 const std::string kParameters = equation("m = 0.13 % range [0.01, 1]") + equation("L = 0.1") +
                                 equation("\\rho_d = \\vec{0.3, 0.05, 1}") + equation("\\gamma = 2e-7");
 const std::string kDocument = kParameters + equation("f = \\rho_d * (m + L + \\gamma)");
@@ -42,6 +66,53 @@ TEST(Targets, AreFoundByName) {
   EXPECT_EQ(find_target("disney")->extension, ".brdf");
   EXPECT_EQ(find_target("cobol"), nullptr);
   for (const Target& target : targets()) EXPECT_EQ(find_target(target.name), &target);
+}
+
+TEST(Glsl, TellsWhoseEachLineIs) {
+  EXPECT_EQ(lines_of("glsl", kShared),
+            "g:\n"
+            "// g(x) = m * x^2\n"
+            "float g(float x, float m) {\n"
+            "  return m * x * x;\n"
+            "}\n"
+            "\\rho_d:\n"
+            "  const vec3 rho_d = vec3(0.3, 0.05, 1.0);\n"
+            "m:\n"
+            "  const float m = 0.5;\n"
+            "a:\n"
+            "  // a = \\cos\\theta_h + m\n"
+            "  float a = cos_theta_h + m;\n"
+            "f:\n"
+            "  // f = \\rho_d * g(a) + \\vec{1, 1, 1} * a * \\pi\n"
+            "  return rho_d * g(a, m) + vec3(1.0, 1.0, 1.0) * a * pi;\n");
+}
+
+TEST(Glsl, TellsTheLinesOfUniforms) {
+  EXPECT_EQ(lines_of("glsl", equation("m = 0.5") + equation("f = m"), ParameterStyle::Uniform),
+            "m:\n"
+            "uniform float m;  // range [0, 1], default 0.5\n"
+            "f:\n"
+            "  // f = m\n"
+            "  return vec3(m);\n");
+}
+
+TEST(Disney, TellsWhoseEachLineIs) {
+  EXPECT_EQ(lines_of("disney", kShared),
+            "\\rho_d:\n"
+            "color rho_d 0.3 0.05 1\n"
+            "m:\n"
+            "float m 0 1 0.5\n"
+            "g:\n"
+            "// g(x) = m * x^2\n"
+            "float g(float x) {\n"
+            "  return m * x * x;\n"
+            "}\n"
+            "a:\n"
+            "  // a = \\cos\\theta_h + m\n"
+            "  float a = cos_theta_h + m;\n"
+            "f:\n"
+            "  // f = \\rho_d * g(a) + \\vec{1, 1, 1} * a * \\pi\n"
+            "  return rho_d * g(a) + vec3(1.0, 1.0, 1.0) * a * pi;\n");
 }
 
 TEST(Disney, BeginsWithItsFirstWord) {
