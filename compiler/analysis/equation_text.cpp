@@ -1,7 +1,8 @@
+#include "analysis/equation_text.h"
+
 #include <algorithm>
 #include <array>
-
-#include "analysis/snapshot_state.h"
+#include <string_view>
 
 namespace texbrdf {
 namespace {
@@ -72,8 +73,8 @@ class LineWriter {
 
 }  // namespace
 
-std::string one_line(const ParsedBlock& block, const DefinitionSyntax& definition) {
-  const Node& node = block.tree.node(definition.node);
+std::string one_line(const ParsedBlock& block, NodeId id) {
+  const Node& node = block.tree.node(id);
   LineWriter line;
   uint32_t end = block.tokens[node.first_token].span.begin;
   for (uint32_t token = node.first_token; token < node.end_token; ++token) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "analysis/equation_text.h"
 #include "analysis/snapshot_state.h"
 #include "source/internal_error.h"
 
@@ -217,7 +218,7 @@ std::optional<DefinitionId> Snapshot::find(NameId name) const {
 
 std::string Snapshot::equation(DefinitionId id) const {
   const LocatedDefinition definition = state_->locate(id);
-  return one_line(definition.at.parsed(), definition.syntax());
+  return one_line(definition.at.parsed(), definition.syntax().node);
 }
 
 }  // namespace texbrdf

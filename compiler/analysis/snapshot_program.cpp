@@ -2,6 +2,7 @@
 #include <array>
 #include <unordered_set>
 
+#include "analysis/equation_text.h"
 #include "analysis/snapshot_state.h"
 #include "ir/lower.h"
 #include "ir/passes/passes.h"
@@ -26,7 +27,7 @@ ir::LinkableDefinition make_linkable(const LocatedDefinition& definition) {
   linkable.graph = ir::lower_definition(block.parsed, syntax, block.names, checked);
   std::vector<Diagnostic> reported_already;
   linkable.literal = parameter_literal(block.parsed, syntax, reported_already);
-  linkable.equation = one_line(block.parsed, syntax);
+  linkable.equation = one_line(block.parsed, syntax.node);
   return linkable;
 }
 

@@ -139,7 +139,4 @@ std::vector<Diagnostic> diagnostics_for_root(const Snapshot::State& state, std::
 /// True for ℝ and ℝ³, plain or as a function of two vectors.
 bool is_brdf(const Signature& signature);
 
-/// The text of a definition on one line: white space folded, without comments, labels and numbers.
-std::string one_line(const ParsedBlock& block, const DefinitionSyntax& definition);
-
 }  // namespace texbrdf

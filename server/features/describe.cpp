@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "analysis/equation_text.h"
 #include "features/places.h"
 #include "features/value_text.h"
 #include "source/utf8.h"
@@ -91,6 +92,14 @@ std::string describe_parameter(const Snapshot& snapshot, DefinitionId id, uint32
   const bool surprising = parameter.inferred && is_triple(parameter.type);
   page.paragraph(fmt::format("parameter of {}{}", page.code(snapshot.names().text(function.name)),
                              surprising ? ", a vector because of how it is used" : ""));
+  return page.take();
+}
+
+std::string describe_expression(const Snapshot& snapshot, const Expression& expression, Markup markup) {
+  Page page(markup);
+  const BlockId block = snapshot.definition(expression.definition).block;
+  page.paragraph(page.code(type_symbol(type_of(snapshot, expression))));
+  page.equation(one_line(snapshot.parsed(block), expression.node));
   return page.take();
 }
 

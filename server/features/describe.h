@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "analysis/snapshot.h"
+#include "features/expression.h"
 
 namespace texbrdf::features {
 
@@ -16,6 +17,8 @@ enum class Markup : uint8_t { Markdown, PlainText };
 std::string describe_definition(const Snapshot& snapshot, DefinitionId id, Markup markup);
 /// A parameter of the function, by its position.
 std::string describe_parameter(const Snapshot& snapshot, DefinitionId id, uint32_t index, Markup markup);
+/// Type and text of a part of a right side.
+std::string describe_expression(const Snapshot& snapshot, const Expression& expression, Markup markup);
 /// Formula and meaning. `inside` is the definition in which it stands, whose parameters it may follow; or none.
 std::string describe_convention(const Snapshot& snapshot, std::string_view name, Convention convention,
                                 DefinitionId inside, Markup markup);

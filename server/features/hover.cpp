@@ -1,26 +1,48 @@
 #include "features/hover.h"
 
+#include "features/places.h"
+
 namespace texbrdf::features {
 
-std::optional<Hover> hover(const Snapshot& snapshot, uint32_t offset, Markup markup) {
-  const auto occurrence = snapshot.occurrence_at(offset);
-  if (!occurrence) return std::nullopt;
-  if (occurrence->target.valid()) {
-    return Hover{describe_definition(snapshot, occurrence->target, markup), occurrence->span};
-  }
-  switch (occurrence->referent.kind) {
+namespace {
+
+std::optional<Hover> hover_definition(const Snapshot& snapshot, const Occurrence& occurrence, Markup markup) {
+  const DefinitionId id = occurrence.target;
+  return Hover{describe_definition(snapshot, id, markup), occurrence.span, Expression{id, snapshot.syntax(id).body}};
+}
+
+std::optional<Hover> hover_expression(const Snapshot& snapshot, const Expression& expression, Markup markup) {
+  if (type_of(snapshot, expression) == Type::Error) return std::nullopt;
+  const BlockId block = snapshot.definition(expression.definition).block;
+  return Hover{describe_expression(snapshot, expression, markup), node_span(snapshot, block, expression.node),
+               expression};
+}
+
+std::optional<Hover> hover_name(const Snapshot& snapshot, const Occurrence& occurrence, Markup markup) {
+  if (occurrence.target.valid()) return hover_definition(snapshot, occurrence, markup);
+  switch (occurrence.referent.kind) {
     case Referent::Kind::Parameter:
-      return Hover{describe_parameter(snapshot, occurrence->inside, occurrence->referent.index, markup),
-                   occurrence->span};
+      return Hover{describe_parameter(snapshot, occurrence.inside, occurrence.referent.index, markup), occurrence.span};
     case Referent::Kind::Convention:
-      return Hover{describe_convention(snapshot, snapshot.names().text(occurrence->name),
-                                       static_cast<Convention>(occurrence->referent.index), occurrence->inside, markup),
-                   occurrence->span};
+      return Hover{describe_convention(snapshot, snapshot.names().text(occurrence.name),
+                                       static_cast<Convention>(occurrence.referent.index), occurrence.inside, markup),
+                   occurrence.span};
     case Referent::Kind::None:
     case Referent::Kind::Definition:
       return std::nullopt;
   }
   return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Hover> hover(const Snapshot& snapshot, uint32_t offset, Markup markup) {
+  const std::optional<Occurrence> name = snapshot.occurrence_at(offset);
+  const bool touches_only = !name || offset >= name->span.end;
+  if (touches_only) {
+    if (const auto expression = expression_at(snapshot, offset)) return hover_expression(snapshot, *expression, markup);
+  }
+  return name ? hover_name(snapshot, *name, markup) : std::nullopt;
 }
 
 }  // namespace texbrdf::features

@@ -4,9 +4,9 @@
 
 namespace texbrdf::features {
 
-std::string value_text(std::span<const double> value) {
+std::string value_text(std::span<const double> value, int digits) {
   std::string numbers;
-  for (const double number : value) numbers += fmt::format("{}{:.7g}", numbers.empty() ? "" : ", ", number);
+  for (const double number : value) numbers += fmt::format("{}{:.{}g}", numbers.empty() ? "" : ", ", number, digits);
   return value.size() == 1 ? numbers : fmt::format("({})", numbers);
 }
 

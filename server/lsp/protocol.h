@@ -27,6 +27,7 @@ struct InitializeParams {
   std::string client_version;
   std::vector<std::string> position_encodings;  ///< in the client's order of preference
   std::vector<std::string> hover_formats;       ///< "markdown", "plaintext", in order of preference
+  bool markdown_parser = false;                 ///< it names one: what it shows is no bare text
   bool definition_links = false;
   bool hierarchical_symbols = false;
   bool related_information = false;

@@ -11,20 +11,6 @@ ResponseError Session::not_open(std::string_view uri) {
   return {ErrorCode::InvalidParams, fmt::format("{} is not open", shown_path(uri))};
 }
 
-Session::Outcome Session::hover(const PositionParams& params, JsonWriter& result) {
-  OpenDocument* open = documents_.find(params.uri);
-  if (open == nullptr) return not_open(params.uri);
-  const Snapshot& snapshot = open->document.snapshot();
-  const auto hover = features::hover(snapshot, snapshot.text().offset(params.position, unit_), hover_markup_);
-  Positions positions(snapshot.text(), unit_);
-  if (hover) {
-    write_hover(result, positions, *hover, hover_markup_);
-  } else {
-    result.null();
-  }
-  return std::nullopt;
-}
-
 Session::Outcome Session::definition(const PositionParams& params, JsonWriter& result) {
   OpenDocument* open = documents_.find(params.uri);
   if (open == nullptr) return not_open(params.uri);

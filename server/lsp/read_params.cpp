@@ -75,6 +75,7 @@ std::string read_params(json& params, InitializeParams& out) {
   out.position_encodings =
       Reader::strings(Reader::optional(Reader::optional(capabilities, "general"), "positionEncodings"));
   out.hover_formats = Reader::strings(Reader::optional(Reader::optional(documents, "hover"), "contentFormat"));
+  out.markdown_parser = Reader::optional(Reader::optional(capabilities, "general"), "markdown") != nullptr;
   out.definition_links = Reader::flag(Reader::optional(documents, "definition"), "linkSupport");
   out.hierarchical_symbols =
       Reader::flag(Reader::optional(documents, "documentSymbol"), "hierarchicalDocumentSymbolSupport");

@@ -32,6 +32,7 @@
 #include "lsp/workspace_folders.h"
 #include "lsp/write_edits.h"
 #include "lsp/write_results.h"
+#include "preview/expression_look.h"
 
 namespace texbrdf::lsp {
 
@@ -174,8 +175,12 @@ class Session {
   void write_code_action(JsonWriter& out, Positions& positions, const OpenDocument& open,
                          features::CodeAction& action) const;
 
-  // queries.cpp
+  // hover.cpp
   Outcome hover(const PositionParams& params, JsonWriter& result);
+  bool shows_looks() const;
+  std::string look_of(const Snapshot& snapshot, const features::Expression& expression);
+
+  // queries.cpp
   Outcome definition(const PositionParams& params, JsonWriter& result);
   Outcome references(const ReferenceParams& params, JsonWriter& result);
   Outcome stats(const NoParams& params, JsonWriter& result);
@@ -217,6 +222,7 @@ class Session {
   uint64_t last_progress_ = 0;                          ///< token of the last progress that the server began
   uint64_t last_token_result_ = 0;                      ///< id of the last semantic tokens
   Previews previews_;
+  std::optional<preview::ExpressionSampler> sampler_;  ///< from the first hover that needs it
   Outbox outbox_;
 };
 

@@ -24,6 +24,7 @@ inline constexpr std::size_t kFeatureCount = 0
 
 enum class DiagnosticDelivery : uint8_t { Push, Pull };
 enum class HintSeverity : uint8_t { Off, Hint, Information, Warning };
+enum class HoverPicture : uint8_t { Auto, On, Off };
 enum class LogLevelChoice : uint8_t { CommandLine, Error, Warning, Info, Debug, Trace };
 
 /// How one client wants the server, from settings.def.

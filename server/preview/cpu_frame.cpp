@@ -35,7 +35,10 @@ std::array<const float*, 3> pointers(const render::SphereGeometry::Vectors& vect
 Result<CpuModel> cpu_model(const ir::Program& program) {
   Result<ir::Graph> graph = ir::flatten(program);
   if (!graph) return Failure{graph.error()};
-  CpuModel model{eval::BatchEvaluator(ir::run_passes(*std::move(graph), ir::evaluation_passes())), {}};
+  const ir::Graph optimised = ir::run_passes(*std::move(graph), ir::evaluation_passes());
+  const bool depends_on_directions =
+      std::ranges::any_of(optimised.values(), [](const ir::Value& v) { return v.op == ir::Op::Convention; });
+  CpuModel model{eval::BatchEvaluator(optimised), {}, depends_on_directions};
   for (const ir::Parameter& parameter : program.parameters) model.parameters.push_back(parameter.value);
   return model;
 }

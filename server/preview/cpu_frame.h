@@ -13,6 +13,7 @@ namespace texbrdf::preview {
 struct CpuModel {
   eval::BatchEvaluator evaluator;
   std::vector<eval::Triple> parameters;
+  bool depends_on_directions = true;
 };
 
 Result<CpuModel> cpu_model(const ir::Program& program);

@@ -107,4 +107,23 @@ Picture tone_map(const SphereGeometry& geometry, const SphereView& view, const S
   return mapper.take();
 }
 
+Picture map_directions(const SphereGeometry& geometry, const ShadedValues& values) {
+  Picture picture{black_disc(geometry), {}};
+  for (std::size_t i = 0; i < geometry.point_count(); ++i) {
+    const std::size_t at = i * values.stride;
+    const std::array<float, 3> value{values.channels[0][at], values.channels[1][at], values.channels[2][at]};
+    uint8_t* pixel = &picture.image.pixels[std::size_t{geometry.pixels[i]} * 4];
+    const std::optional<BadPixel> bad = find_fault(value);
+    if (bad && *bad != BadPixel::Negative) {
+      ++picture.bad_pixels[*bad];
+      std::ranges::copy(bad_pixel_entry(*bad).colour, pixel);
+      continue;
+    }
+    for (std::size_t c = 0; c < 3; ++c) {
+      pixel[c] = static_cast<uint8_t>(std::lround(255 * std::clamp(0.5F + 0.5F * value[c], 0.0F, 1.0F)));
+    }
+  }
+  return picture;
+}
+
 }  // namespace texbrdf::render

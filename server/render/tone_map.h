@@ -45,4 +45,7 @@ class ToneMapper {
 /// All points at once.
 Picture tone_map(const SphereGeometry& geometry, const SphereView& view, const ShadedValues& values);
 
+/// Unit vectors as a normal map shows them: 0.5 + 0.5 v. What is no number is marked; negative values are in order.
+Picture map_directions(const SphereGeometry& geometry, const ShadedValues& values);
+
 }  // namespace texbrdf::render

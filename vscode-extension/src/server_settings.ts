@@ -1,6 +1,6 @@
 // What of the settings the server is told: it warns of those that it does not know.
 
-const sections = ['features', 'inlayHint', 'codeLens', 'diagnostics', 'log'] as const;
+const sections = ['features', 'hover', 'inlayHint', 'codeLens', 'diagnostics', 'log'] as const;
 
 export function serverSettings(all: unknown): Record<string, unknown> {
   if (typeof all !== 'object' || all === null) return {};

@@ -28,7 +28,7 @@ test('each feature of the server can be switched off', () => {
 
 test('choices are the words of the server', () => {
   const choices = new Map(written(/^CHOICE\(\w+, "([\w.]+)", \w+, \w+, "([\w ]+)"/gm).map(([, key, words]) => [key, words?.split(' ')]));
-  for (const name of ['diagnostics.hints', 'log.level']) assert.deepEqual(settings[`texbrdf.${name}`]?.enum, choices.get(name));
+  for (const name of ['diagnostics.hints', 'hover.picture']) assert.deepEqual(settings[`texbrdf.${name}`]?.enum, choices.get(name));
 });
 
 test('a workspace that is not trusted cannot name a program', () => {

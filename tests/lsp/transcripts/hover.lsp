@@ -135,7 +135,7 @@ open a.tex
        "range": "13:17-13:24"
      }
    }
-# Nothing: prose, an operator, a number, far outside.
+# Nothing: prose, a sign of equality, a number, far outside.
 -> textDocument/hover {"doc": "a.tex", "at": "4:17"}
 <- {"id":13,"result":null}
 -> textDocument/hover {"doc": "a.tex", "at": "13:5"}

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -10,6 +11,7 @@
 #include "features/document_symbols.h"
 #include "features/hover.h"
 #include "features/references.h"
+#include "ir/print.h"
 
 namespace texbrdf::features {
 namespace {
@@ -52,7 +54,7 @@ TEST(Hover, ADefinitionSaysItsTypeEquationValueAndLine) {
   EXPECT_EQ(hover_text("prose\n" + equation("f = @a_1") + equation(" a_{1} =\n  1/4 ")),
             "a_1 | a_1: ℝ\n\na_{1} = 1/4\n\nvalue 0.25 · defined on line 3");
   EXPECT_EQ(hover_text(equation("@f = \\vec{n}")), "f | f: ℝ³\n\nf = \\vec{n}\n\ndefined on line 1");
-  EXPECT_EQ(hover_text(equation("f = g@(\\vec{n})") + equation("g(\\vec{x}) = 2*\\vec{x}")),
+  EXPECT_EQ(hover_text(equation("f = @g(\\vec{n})") + equation("g(\\vec{x}) = 2*\\vec{x}")),
             "g | g: ℝ³ → ℝ³\n\ng(\\vec{x}) = 2*\\vec{x}\n\ndefined on line 2");
 }
 
@@ -79,8 +81,67 @@ TEST(Hover, AParameterSaysItsFunction) {
             "x | x: ℝ³\n\nparameter of g, a vector because of how it is used");
 }
 
+TEST(Hover, AnOperatorOrABracketSaysTheTypeOfItsExpression) {
+  EXPECT_EQ(hover_text(equation("f = 1 + 2 @* 3")), "2 * 3 | ℝ\n\n2 * 3");
+  EXPECT_EQ(hover_text(equation("f = 1 @+ 2 * 3")), "1 + 2 * 3 | ℝ\n\n1 + 2 * 3");
+  EXPECT_EQ(hover_text(equation("f = 2 * @(\\vec{n}\n % why\n + \\vec{h})")),
+            "(\\vec{n}\n % why\n + \\vec{h}) | ℝ³\n\n(\\vec{n} + \\vec{h})");
+  EXPECT_EQ(hover_text(equation("f = @\\frac{1}{\\pi}")), "\\frac{1}{\\pi} | ℝ\n\n\\frac{1}{\\pi}");
+  EXPECT_EQ(hover_text(equation("f = \\vec{1, 2@, 3}")), "\\vec{1, 2, 3} | ℝ³\n\n\\vec{1, 2, 3}");
+  EXPECT_EQ(hover_text(equation("f = g(x@, 1)") + equation("g(a, b) = a") + equation("x = 2")),
+            "g(x, 1) | ℝ\n\ng(x, 1)");
+}
+
+TEST(Hover, BehindANameTheNextCharacterCounts) {
+  EXPECT_EQ(hover_text(equation("f = g@(\\vec{n})") + equation("g(\\vec{x}) = 2*\\vec{x}")),
+            "g(\\vec{n}) | ℝ³\n\ng(\\vec{n})");
+  EXPECT_EQ(hover_text(equation("f = a@*2") + equation("a = 1")), "a*2 | ℝ\n\na*2");
+  EXPECT_EQ(hover_text(equation("f = a@ * 2") + equation("a = 1")), "a | a: ℝ\n\na = 1\n\nvalue 1 · defined on line 2");
+}
+
+/// The program of what is hovered as text, or why there is none.
+std::string hovered_program(const std::string& source, uint32_t most_values = 1000) {
+  const Marked document = marked(source);
+  Document opened(document.text);
+  const auto found = hover(opened.snapshot(), document.places.at(0), Markup::PlainText);
+  if (!found || !found->expression) return "no expression";
+  const auto program = program_of(opened.snapshot(), *found->expression, most_values);
+  return program ? ir::print_graph(*ir::flatten(*program)) : "no program";
+}
+
+TEST(HoveredExpression, IsAProgramOfItsOwn) {
+  EXPECT_EQ(hovered_program(equation("f = @a + 1") + equation("a = 2 * m") + equation("m = 3")),
+            "%0: ℝ = constant 2\n%1: ℝ = parameter 0\n%2: ℝ = multiply %0 %1\nroots %2\n");
+  EXPECT_EQ(hovered_program(equation("f = 1 + 2 @* m") + equation("m = 3")),
+            "%0: ℝ = constant 2\n%1: ℝ = parameter 0\n%2: ℝ = multiply %0 %1\nroots %2\n");
+  EXPECT_EQ(hovered_program(equation("f(\\vec{l}, \\vec{v}) = 1 + \\vec{l} @\\cdot \\vec{v}")),
+            "%0: ℝ³ = convention L\n%1: ℝ³ = convention V\n%2: ℝ = dot %0 %1\nroots %2\n");
+  EXPECT_EQ(hovered_program(equation("f = g(1)") + equation("g(x) = x + 2 @* 3")),
+            "%0: ℝ = constant 2\n%1: ℝ = constant 3\n%2: ℝ = multiply %0 %1\nroots %2\n");
+}
+
+TEST(HoveredExpression, HasNoProgramWithoutArgumentsOrInError) {
+  EXPECT_EQ(hovered_program(equation("f = @g(1)") + equation("g(x) = x * 2")), "no program");
+  EXPECT_EQ(hovered_program(equation("f = g(1)") + equation("g(x) = x @* 2")), "no program");
+  EXPECT_EQ(hovered_program(equation("f = @a") + equation("a = zq * 2")), "no program");
+  EXPECT_EQ(hovered_program(equation("f = 1 @+ a") + equation("a = f")), "no program");
+  EXPECT_EQ(hovered_program(equation("f = \\theta@_h")), "no expression");
+}
+
+TEST(HoveredExpression, MayNeedSoManyValuesOnly) {
+  const std::string chain =
+      equation("f = @a_1") + equation("a_1 = a_2 + 1") + equation("a_2 = a_3 + 1") + equation("a_3 = \\theta_h + 1");
+  EXPECT_EQ(hovered_program(chain, 8), "no program");
+  EXPECT_NE(hovered_program(chain, 20), "no program");
+  std::string doubling = equation("f = @a") + equation("a = g_9(\\theta_h)") + equation("g_0(x) = x + x");
+  for (int i = 1; i < 10; ++i) {
+    doubling += equation(fmt::format("g_{}(x) = g_{}(x) + g_{}(x + 1)", i, i - 1, i - 1));
+  }
+  EXPECT_EQ(hovered_program(doubling), "no program");
+}
+
 TEST(Hover, NothingIsSaidOfWhatIsNoName) {
-  for (const char* content : {"f = 1 @+ 2", "f = 12@3", "f = nowhere@", "f = (1)@ "}) {
+  for (const char* content : {"f @= 1 + 2", "f = 12@3", "f = nowhere@", "f = (1)@ ", "f = 1 @+", "f = zq @zq"}) {
     EXPECT_EQ(hover_text(equation(content)), "nothing") << content;
   }
   EXPECT_EQ(hover_text("pro@se " + equation("f = 1")), "nothing");

@@ -1,0 +1,134 @@
+#include "features/expression.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "ir/lower.h"
+
+namespace texbrdf::features {
+namespace {
+
+std::optional<uint32_t> token_at(const ParsedBlock& block, uint32_t offset) {
+  const auto behind = std::ranges::upper_bound(block.tokens, offset, {}, [](const Token& t) { return t.span.begin; });
+  if (behind == block.tokens.begin()) return std::nullopt;
+  const auto token = std::prev(behind);
+  if (offset >= token->span.end) return std::nullopt;
+  return static_cast<uint32_t>(token - block.tokens.begin());
+}
+
+bool holds(const Node& node, uint32_t token) {
+  return token >= node.first_token && token < node.end_token;
+}
+
+NodeId innermost(const SyntaxTree& tree, NodeId node, uint32_t token) {
+  const auto holds_token = [&](NodeId child) { return holds(tree.node(child), token); };
+  while (true) {
+    const std::span<const NodeId> children = tree.children(node);
+    const auto inner = std::ranges::find_if(children, holds_token);
+    if (inner == children.end()) return node;
+    node = *inner;
+  }
+}
+
+bool is_compound(NodeKind kind) {
+  switch (kind) {
+    case NodeKind::Group:
+    case NodeKind::Prefix:
+    case NodeKind::Infix:
+    case NodeKind::Fraction:
+    case NodeKind::Root:
+    case NodeKind::Function:
+    case NodeKind::Extremum:
+    case NodeKind::Apply:
+    case NodeKind::VectorLiteral:
+      return true;
+    case NodeKind::Number:
+    case NodeKind::Name:
+    case NodeKind::Juxtaposition:
+    case NodeKind::Error:
+    case NodeKind::Signature:
+    case NodeKind::Definition:
+      return false;
+  }
+  return false;
+}
+
+bool has_formals(const ir::Graph& graph) {
+  return std::ranges::any_of(graph.values(), [](const ir::Value& value) { return value.op == ir::Op::Formal; });
+}
+
+/// As if the expression were the whole right side of its definition.
+std::optional<ir::LinkableDefinition> as_definition(const Snapshot& snapshot, const Expression& expression) {
+  const Definition definition = snapshot.definition(expression.definition);
+  if (!definition.checked->sound) return std::nullopt;
+  DefinitionSyntax part = snapshot.syntax(expression.definition);
+  part.body = expression.node;
+
+  ir::LinkableDefinition linkable;
+  linkable.id = definition.name;
+  linkable.canonical = snapshot.names().text(definition.name);
+  linkable.graph = ir::lower_definition(snapshot.parsed(definition.block), part, snapshot.names_of(definition.block),
+                                        *definition.checked);
+  if (has_formals(linkable.graph)) linkable.signature = definition.checked->signature;
+  linkable.signature.result = type_of(snapshot, expression);
+  return has_brdf_parameters(linkable.signature) ? std::optional(std::move(linkable)) : std::nullopt;
+}
+
+/// The values that flattening would go through. Saturates.
+uint32_t flat_size(const ir::Program& program) {
+  std::vector<uint32_t> sizes;
+  uint64_t total = 0;
+  for (const ir::ProgramDefinition& definition : program.definitions) {
+    uint64_t size = definition.graph.size();
+    for (const ir::Value& value : definition.graph.values()) {
+      if (value.op == ir::Op::Call) size += sizes[value.index];
+    }
+    sizes.push_back(static_cast<uint32_t>(std::min<uint64_t>(size, UINT32_MAX)));
+    const bool is_root = &definition == &program.root();
+    if (is_root || !definition.signature.is_function) total += sizes.back();
+  }
+  return static_cast<uint32_t>(std::min<uint64_t>(total, UINT32_MAX));
+}
+
+}  // namespace
+
+std::optional<Expression> expression_at(const Snapshot& snapshot, uint32_t offset) {
+  const std::optional<BlockId> id = snapshot.block_at(offset);
+  if (!id) return std::nullopt;
+  const Block block = snapshot.block(*id);
+  const ParsedBlock& parsed = *block.parsed;
+  const std::optional<uint32_t> token = token_at(parsed, offset - block.offset);
+  if (!token) return std::nullopt;
+  const DefinitionRange range = snapshot.definitions_of(*id);
+  for (uint32_t i = 0; i < parsed.definitions.size(); ++i) {
+    const NodeId body = parsed.definitions[i].body;
+    if (!parsed.definitions[i].readable) continue;
+    if (!holds(parsed.tree.node(body), *token)) continue;
+    const NodeId node = innermost(parsed.tree, body, *token);
+    if (!is_compound(parsed.tree.node(node).kind)) return std::nullopt;
+    return Expression{{range.first.value + i}, node};
+  }
+  return std::nullopt;
+}
+
+Type type_of(const Snapshot& snapshot, const Expression& expression) {
+  const uint32_t first = snapshot.syntax(expression.definition).first_node;
+  return snapshot.definition(expression.definition).checked->types[expression.node.value - first];
+}
+
+std::optional<ir::Program> program_of(const Snapshot& snapshot, const Expression& expression, uint32_t most_values) {
+  const std::optional<ir::LinkableDefinition> root = as_definition(snapshot, expression);
+  if (!root) return std::nullopt;
+  uint32_t values = 0;
+  const auto lookup = [&](NameId name) -> const ir::LinkableDefinition* {
+    const ir::LinkableDefinition* found = name == root->id ? &*root : snapshot.linkable(name);
+    if (found != nullptr) values += found->graph.size();
+    return values > most_values ? nullptr : found;
+  };
+  Result<ir::Program> program = ir::link(lookup, root->id, {});
+  if (!program || flat_size(*program) > most_values) return std::nullopt;
+  return *std::move(program);
+}
+
+}  // namespace texbrdf::features
