@@ -25,8 +25,29 @@ struct SphereView {
 /// Why the view cannot be drawn, in words, or nothing.
 std::optional<std::string> find_fault(const SphereView& view);
 
-/// The surface points of a picture of the sphere that have to be shaded: those in the light. docs/pictures.md gives the
-/// formulas.
+/// A place of a picture in parts of its width, from the top left.
+struct PicturePlace {
+  double x = 0;
+  double y = 0;
+};
+
+/// A point of the sphere with its frame; docs/pictures.md gives the formulas.
+struct SurfacePoint {
+  std::array<double, 3> normal;
+  std::array<double, 3> tangent;
+  std::array<double, 3> bitangent;
+};
+
+/// Towards the light.
+std::array<double, 3> light_direction(const SphereView& view);
+/// Towards the viewer, whatever the view.
+inline constexpr std::array<double, 3> kViewDirection{0, 0, 1};
+/// What is seen at a place; nothing beside the sphere and on its silhouette.
+std::optional<SurfacePoint> surface_point(const SphereView& view, PicturePlace place);
+/// Where a pixel of the picture, counted row by row from the top left, is sampled.
+PicturePlace sample_place(const SphereView& view, uint32_t pixel);
+
+/// The surface points of a picture of the sphere that have to be shaded: those in the light.
 struct SphereGeometry {
   /// Three arrays of a coordinate each.
   using Vectors = std::array<std::vector<float>, 3>;
