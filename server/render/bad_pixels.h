@@ -1,7 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -28,6 +32,18 @@ struct BadPixelEntry {
 };
 
 const BadPixelEntry& bad_pixel_entry(BadPixel kind);
+
+/// What is wrong with a value, or nothing.
+template <typename Number>
+std::optional<BadPixel> find_bad(const std::array<Number, 3>& value) {
+  constexpr Number kInfinity = std::numeric_limits<Number>::infinity();
+  const auto is_fine = [](Number x) { return x >= 0 && x < kInfinity; };
+  if (is_fine(value[0]) && is_fine(value[1]) && is_fine(value[2])) return std::nullopt;
+  const auto any = [&](auto&& is_bad) { return std::any_of(value.begin(), value.end(), is_bad); };
+  if (any([](Number x) { return std::isnan(x); })) return BadPixel::NotANumber;
+  if (any([](Number x) { return std::isinf(x); })) return BadPixel::Infinite;
+  return BadPixel::Negative;
+}
 
 /// Pixels of a picture by what is wrong with them.
 struct BadPixelCounts {

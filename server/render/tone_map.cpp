@@ -45,16 +45,6 @@ class GammaTable {
   std::array<uint8_t, kCells> guesses_{};
 };
 
-std::optional<BadPixel> find_fault(const std::array<float, 3>& value) {
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  const auto is_fine = [](float x) { return x >= 0 && x < kInfinity; };
-  if (is_fine(value[0]) && is_fine(value[1]) && is_fine(value[2])) return std::nullopt;
-  const auto any = [&](auto&& is_bad) { return std::any_of(value.begin(), value.end(), is_bad); };
-  if (any([](float x) { return std::isnan(x); })) return BadPixel::NotANumber;
-  if (any([](float x) { return std::isinf(x); })) return BadPixel::Infinite;
-  return BadPixel::Negative;
-}
-
 ImageRgba8 black_disc(const SphereGeometry& geometry) {
   ImageRgba8 image{geometry.size, geometry.size, std::vector<uint8_t>(geometry.alpha.size() * 4)};
   for (std::size_t i = 0; i < geometry.alpha.size(); ++i) image.pixels[i * 4 + 3] = geometry.alpha[i];
@@ -86,7 +76,7 @@ void ToneMapper::add(std::size_t first, std::size_t count, const ShadedValues& v
     const std::size_t at = i * values.stride;
     const std::array<float, 3> value{values.channels[0][at], values.channels[1][at], values.channels[2][at]};
     uint8_t* pixel = &picture.image.pixels[std::size_t{geometry.pixels[first + i]} * 4];
-    if (const std::optional<BadPixel> bad = find_fault(value)) {
+    if (const std::optional<BadPixel> bad = find_bad(value)) {
       ++picture.bad_pixels[*bad];
       std::copy_n(bad_pixel_entry(*bad).colour.begin(), 3, pixel);
       continue;
