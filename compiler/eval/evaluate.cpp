@@ -57,9 +57,15 @@ class Walk {
 
   const Triple& value(ValueId id) const { return values_[id.value]; }
 
-  void run(std::span<const Step> steps) {
+  /// False where the budget ends first.
+  bool run(std::span<const Step> steps, StepBudget& budget) {
     uint32_t at = 0;
-    while (at < steps.size()) at = run_step(steps[at], at);
+    while (at < steps.size()) {
+      if (budget.left == 0) return false;
+      --budget.left;
+      at = run_step(steps[at], at);
+    }
+    return true;
   }
 
  private:
@@ -272,10 +278,27 @@ ReferenceEvaluator::ReferenceEvaluator(ir::Graph graph) : graph_(std::move(graph
 
 Triple ReferenceEvaluator::evaluate(const Geometry& geometry, std::span<const Triple> parameters,
                                     std::size_t root) const {
+  StepBudget unlimited{UINT64_MAX};
+  return evaluate(geometry, parameters, root, unlimited).value();
+}
+
+std::optional<Triple> ReferenceEvaluator::evaluate(const Geometry& geometry, std::span<const Triple> parameters,
+                                                   std::size_t root, StepBudget& budget) const {
   require(root < graph_.roots.size(), "a root that the graph does not have");
   Walk walk(graph_, geometry, parameters);
-  walk.run(std::span(schedule_.steps).first(schedule_.root_end[root]));
+  if (!walk.run(std::span(schedule_.steps).first(schedule_.root_end[root]), budget)) return std::nullopt;
   return walk.value(graph_.roots[root]);
+}
+
+std::optional<std::vector<Triple>> ReferenceEvaluator::evaluate_all(const Geometry& geometry,
+                                                                    std::span<const Triple> parameters,
+                                                                    StepBudget& budget) const {
+  Walk walk(graph_, geometry, parameters);
+  if (!walk.run(schedule_.steps, budget)) return std::nullopt;
+  std::vector<Triple> values;
+  values.reserve(graph_.roots.size());
+  for (const ir::ValueId root : graph_.roots) values.push_back(walk.value(root));
+  return values;
 }
 
 }  // namespace texbrdf::eval

@@ -2,7 +2,10 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "eval/schedule.h"
 #include "ir/graph.h"
@@ -19,6 +22,12 @@ struct Geometry {
 };
 
 using Triple = std::array<double, 3>;
+
+/// How many values may still be computed, those of a reduction's body once for each iteration: what bounds the time of
+/// an evaluation that somebody waits for.
+struct StepBudget {
+  uint64_t left = 0;
+};
 
 /// The reference meaning of the language: double precision, one geometry at a time, straight from the graph.
 /// `graph` is flattened (ir::flatten), with or without passes; conventions of any kind are understood.
@@ -40,6 +49,12 @@ class ReferenceEvaluator {
   explicit ReferenceEvaluator(ir::Graph graph);
   /// The value of roots[root]; the raw value, nothing is clamped.
   Triple evaluate(const Geometry& geometry, std::span<const Triple> parameters, std::size_t root = 0) const;
+  /// The same; nothing where the budget ends first.
+  std::optional<Triple> evaluate(const Geometry& geometry, std::span<const Triple> parameters, std::size_t root,
+                                 StepBudget& budget) const;
+  /// The values of all roots, in order.
+  std::optional<std::vector<Triple>> evaluate_all(const Geometry& geometry, std::span<const Triple> parameters,
+                                                  StepBudget& budget) const;
 
  private:
   ir::Graph graph_;
