@@ -43,13 +43,11 @@ Result<CpuModel> cpu_model(const ir::Program& program) {
   return model;
 }
 
-render::Picture draw_on_cpu(const CpuModel& model, const render::SphereView& view, render::SphereCache& cache) {
-  const render::SphereGeometry& geometry = cache.geometry(view);
+void shade(const CpuModel& model, const render::SphereGeometry& geometry, const ShadedVisitor& visit) {
   const std::array<Step, 3> light = spread(geometry.light);
   const std::array<Step, 3> viewer = spread(geometry.view);
   std::array<Step, 3> values;
   const render::ShadedValues shaded{pointers(values), 1};
-  render::ToneMapper tones(geometry, view);
   const std::size_t total = geometry.point_count();
   for (std::size_t begin = 0; begin < total; begin += kStep) {
     const eval::GeometryBatch batch{
@@ -61,8 +59,16 @@ render::Picture draw_on_cpu(const CpuModel& model, const render::SphereView& vie
         .bitangent = pointers(geometry.bitangents, begin),
     };
     model.evaluator.evaluate(batch, model.parameters, {values[0].data(), values[1].data(), values[2].data()});
-    tones.add(begin, batch.count, shaded);
+    visit(begin, batch.count, shaded);
   }
+}
+
+render::Picture draw_on_cpu(const CpuModel& model, const render::SphereView& view, render::SphereCache& cache) {
+  const render::SphereGeometry& geometry = cache.geometry(view);
+  render::ToneMapper tones(geometry, view);
+  shade(model, geometry, [&tones](std::size_t first, std::size_t count, const render::ShadedValues& values) {
+    tones.add(first, count, values);
+  });
   return tones.take();
 }
 

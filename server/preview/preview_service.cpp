@@ -55,19 +55,9 @@ struct Slot {
   bool on_its_way = false;
 };
 
-/// A value whose parameter has gone from the document, or has become a colour, is left out.
-void set_values(ir::Program& program, const std::map<std::string, std::vector<double>>& values) {
-  for (ir::Parameter& parameter : program.parameters) {
-    const auto value = values.find(parameter.canonical);
-    if (value == values.end() || value->second.size() != type_components(parameter.type)) continue;
-    std::ranges::copy(value->second, parameter.value.begin());
-  }
-}
-
 Result<Drawable> make_drawable(const Scene& scene) {
-  Result<ir::Program> program = scene.snapshot.program(scene.root);
+  Result<ir::Program> program = scene_program(scene);
   if (!program) return Failure{program.error()};
-  set_values(*program, scene.values);
   Result<CpuModel> cpu = cpu_model(*program);
   if (!cpu) return Failure{cpu.error()};
   return Drawable{scene.model, *std::move(program), *std::move(cpu)};

@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "analysis/snapshot.h"
+#include "ir/program.h"
 #include "render/bad_pixels.h"
 #include "render/sphere.h"
+#include "source/result.h"
 
 namespace texbrdf::preview {
 
@@ -21,6 +23,9 @@ struct Scene {
   render::SphereView view;
   std::map<std::string, std::vector<double>> values = {};  ///< of parameters, in the place of those in the document
 };
+
+/// All that the scene's BRDF needs, with the scene's values; or why it cannot be drawn.
+Result<ir::Program> scene_program(const Scene& scene);
 
 enum class Device : uint8_t { Cpu, Gpu };
 
