@@ -96,6 +96,46 @@ TEST(Sphere, ALightFromBehindLeavesNoPoint) {
   EXPECT_EQ(geometry.alpha[16 * 32 + 16], 255);
 }
 
+TEST(SurfacePoint, IsThatOfThePicture) {
+  for (const SphereView& view : {SphereView{.size = 33}, SphereView{.size = 64, .theta = 80, .phi = 10, .zoom = 0.5},
+                                 SphereView{.size = 50, .theta = 10, .zoom = 3}}) {
+    const SphereGeometry geometry = make_sphere_geometry(view);
+    ASSERT_GT(geometry.point_count(), 0U);
+    for (std::size_t i = 0; i < geometry.point_count(); ++i) {
+      const auto point = surface_point(view, sample_place(view, geometry.pixels[i]));
+      ASSERT_TRUE(point);
+      for (std::size_t c = 0; c < 3; ++c) {
+        EXPECT_NEAR(geometry.normals[c][i], point->normal[c], 1e-6);
+        EXPECT_NEAR(geometry.tangents[c][i], point->tangent[c], 1e-6);
+        EXPECT_NEAR(geometry.bitangents[c][i], point->bitangent[c], 1e-6);
+      }
+    }
+  }
+}
+
+TEST(SurfacePoint, IsWhereAPersonSeesIt) {
+  const auto right = surface_point({}, {0.5 + 0.45 * 0.6, 0.5});
+  ASSERT_TRUE(right);
+  EXPECT_NEAR(right->normal[0], 0.6, 1e-15);
+  EXPECT_NEAR(right->normal[2], 0.8, 1e-15);
+  EXPECT_NEAR(right->tangent[0], 0.8, 1e-15);
+  EXPECT_NEAR(right->tangent[2], -0.6, 1e-15);
+  EXPECT_NEAR(right->bitangent[1], 1, 1e-15);
+  const auto top = surface_point({.zoom = 2}, {0.5, 0.5 - 0.9 * 0.6});
+  ASSERT_TRUE(top) << "outside of the picture the sphere goes on";
+  EXPECT_NEAR(top->normal[1], 0.6, 1e-15);
+}
+
+TEST(SurfacePoint, IsNotBesideTheSphereNorOnItsEdge) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const PicturePlace place : {PicturePlace{0, 0}, PicturePlace{0.96, 0.5}, PicturePlace{0.5, -3},
+                                   PicturePlace{NAN, 0.5}, PicturePlace{0.5, kInfinity}, PicturePlace{1e300, 1e300}}) {
+    EXPECT_FALSE(surface_point({}, place)) << place.x << " " << place.y;
+  }
+  EXPECT_FALSE(surface_point({.zoom = 0.5}, {0.5, 0.74}));
+  EXPECT_TRUE(surface_point({.zoom = 1}, {0.5, 0.74}));
+}
+
 TEST(SphereCache, KeepsTheGeometryUntilSizeOrLightChange) {
   SphereCache cache;
   const std::size_t points = cache.geometry({.size = 32}).point_count();
