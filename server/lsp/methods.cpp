@@ -47,6 +47,10 @@ void Session::bind_methods(Dispatcher& bind) {
   bind.request("texbrdf/parameterEdit", *this, &Session::parameter_edit);
   bind.request("texbrdf/roots", *this, &Session::roots);
   bind.request("texbrdf/emit", *this, &Session::emit);
+  bind.request("texbrdf/definitions", *this, &Session::quantities);
+  bind.request("texbrdf/probe", *this, &Session::probe);
+  bind.request("texbrdf/badPixels", *this, &Session::bad_pixels);
+  bind.request("texbrdf/plot", *this, &Session::plot);
   bind.request("texbrdf/stats", *this, &Session::stats);
 }
 

@@ -16,6 +16,12 @@ std::optional<double> number(Reader& reader, json* parent, const char* name) {
   return std::nullopt;
 }
 
+double required_number(Reader& reader, json* parent, const char* name) {
+  const std::optional<double> value = number(reader, parent, name);
+  if (!value) reader.fail(fmt::format("`{}` has to be a number", name));
+  return value.value_or(0);
+}
+
 std::optional<int64_t> pixels(Reader& reader, json* parent, const char* name) {
   if (Reader::optional(parent, name) == nullptr) return std::nullopt;
   return reader.natural(parent, name);
@@ -106,6 +112,24 @@ std::string read_params(json& params, EmitParams& out) {
   out.uri = reader.string(object, "uri");
   out.root = Reader::text_or_empty(object, "root");
   out.target = reader.string(object, "target");
+  return reader.problem();
+}
+
+std::string read_params(json& params, ProbeParams& out) {
+  Reader reader;
+  json* object = reader.object_of(params);
+  out.preview = reader.integer(object, "preview");
+  out.place = {required_number(reader, object, "x"), required_number(reader, object, "y")};
+  out.definition = Reader::text_or_empty(object, "definition");
+  return reader.problem();
+}
+
+std::string read_params(json& params, PlotParams& out) {
+  Reader reader;
+  json* object = reader.object_of(params);
+  out.preview = reader.integer(object, "preview");
+  const std::string kind = reader.string(object, "kind");
+  if (kind != "polar" && kind != "cartesian") reader.fail("`kind` has to be polar or cartesian");
   return reader.problem();
 }
 

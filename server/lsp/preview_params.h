@@ -58,6 +58,17 @@ struct EmitParams {
   std::string target;
 };
 
+struct ProbeParams {
+  int64_t preview = 0;
+  render::PicturePlace place;
+  std::string definition;  ///< canonical; empty: the BRDF alone
+};
+
+/// Both kinds of plot have the same numbers.
+struct PlotParams {
+  int64_t preview = 0;
+};
+
 std::string read_params(nlohmann::json& params, OpenPreviewParams& out);
 std::string read_params(nlohmann::json& params, UpdatePreviewParams& out);
 std::string read_params(nlohmann::json& params, PreviewParams& out);
@@ -65,5 +76,7 @@ std::string read_params(nlohmann::json& params, SetParameterParams& out);
 std::string read_params(nlohmann::json& params, ModelParams& out);
 std::string read_params(nlohmann::json& params, ParameterEditParams& out);
 std::string read_params(nlohmann::json& params, EmitParams& out);
+std::string read_params(nlohmann::json& params, ProbeParams& out);
+std::string read_params(nlohmann::json& params, PlotParams& out);
 
 }  // namespace texbrdf::lsp

@@ -4,6 +4,13 @@
 #include <utility>
 
 namespace texbrdf::lsp {
+namespace {
+
+preview::Scene scene_of(const OpenPreview& preview, const Snapshot& snapshot, int64_t version) {
+  return {snapshot, preview.model, version, preview.root, preview.view, preview.values};
+}
+
+}  // namespace
 
 std::optional<std::string> change_view(const ViewChange& change, OpenPreview& preview) {
   constexpr int64_t kMinSize = 16;
@@ -28,8 +35,19 @@ std::optional<std::string> change_view(const ViewChange& change, OpenPreview& pr
   return std::nullopt;
 }
 
+void update_exact(OpenPreview& preview, const Snapshot& snapshot) {
+  ExactValues& exact = preview.exact;
+  if (exact.model == preview.model) return;
+  exact.model = preview.model;
+  Result<ir::Program> program = preview::scene_program(scene_of(preview, snapshot, 0));
+  if (!program) return;
+  Result<preview::ExactModel> model = preview::ExactModel::compile(*std::move(program));
+  exact.problem = model ? std::string() : model.error();
+  exact.source = model ? std::make_shared<const preview::ExactModel>(*std::move(model)) : nullptr;
+}
+
 int64_t Previews::open(OpenPreview preview) {
-  if (!service_) service_ = std::make_unique<preview::PreviewService>(wake_);
+  if (!service_ && wake_) service_ = std::make_unique<preview::PreviewService>(wake_);
   previews_.emplace(++last_id_, std::move(preview));
   return last_id_;
 }
@@ -44,13 +62,13 @@ void Previews::note_change() {
 }
 
 void Previews::close(int64_t id) {
-  if (previews_.erase(id) > 0) service_->close(id);
+  if (previews_.erase(id) > 0 && service_) service_->close(id);
 }
 
 void Previews::close_all(std::string_view uri) {
   std::erase_if(previews_, [&](const auto& entry) {
     if (entry.second.uri != uri) return false;
-    service_->close(entry.first);
+    if (service_) service_->close(entry.first);
     return true;
   });
 }
@@ -61,7 +79,7 @@ void Previews::clear() {
 }
 
 void Previews::show(int64_t id, const OpenPreview& preview, const Snapshot& snapshot, int64_t version) {
-  service_->show(id, {snapshot, preview.model, version, preview.root, preview.view, preview.values});
+  if (service_) service_->show(id, scene_of(preview, snapshot, version));
 }
 
 void Previews::acknowledge(int64_t id) {

@@ -8,9 +8,17 @@
 #include <vector>
 
 #include "lsp/preview_params.h"
+#include "preview/exact_model.h"
 #include "preview/preview_service.h"
 
 namespace texbrdf::lsp {
+
+/// What the numbers beside a picture come from. Where the document cannot be drawn it is what could be drawn last.
+struct ExactValues {
+  uint64_t model = 0;                                 ///< of the scene that this was last brought up to
+  std::shared_ptr<const preview::ExactModel> source;  ///< nullptr: nothing was drawn so far, or see `problem`
+  std::string problem;                                ///< why a BRDF that can be drawn has no values here
+};
 
 /// A preview that the client has open.
 struct OpenPreview {
@@ -20,15 +28,19 @@ struct OpenPreview {
   std::map<std::string, std::vector<double>> values;  ///< set by sliders
   bool is_stale = true;                               ///< its document has changed since it was shown
   uint64_t model = 0;                                 ///< of the scene that was shown last
+  ExactValues exact = {};
 };
 
 /// Changes the view; why it cannot be, or nothing. A picture is as large as the smaller side of its pane.
 std::optional<std::string> change_view(const ViewChange& change, OpenPreview& preview);
 
+/// Compiles what the preview shows, unless that is done already. Precondition: it is not stale.
+void update_exact(OpenPreview& preview, const Snapshot& snapshot);
+
 /// The previews of a client. Threads that draw are started with the first.
 class Previews {
  public:
-  /// `wake` is called on any thread when there are events.
+  /// `wake` is called on any thread when there are events. Without it nothing is drawn.
   void connect(std::function<void()> wake) { wake_ = std::move(wake); }
 
   int64_t open(OpenPreview preview);
@@ -47,7 +59,7 @@ class Previews {
   std::vector<std::string> take_faults();
 
  private:
-  std::function<void()> wake_ = [] {};
+  std::function<void()> wake_;
   std::map<int64_t, OpenPreview> previews_;
   int64_t last_id_ = 0;
   std::unique_ptr<preview::PreviewService> service_;

@@ -38,7 +38,7 @@ class Server {
         session_(log, client_process_, options.version, options.docs_url),
         handler_(session_, methods_, log, [&channel](std::string body) { channel.write(frame(std::move(body))); }) {
     session_.bind_methods(methods_);
-    session_.connect_wake([&channel] { channel.wake(); });
+    if (options.draws_previews) session_.connect_wake([&channel] { channel.wake(); });
   }
 
   int run();

@@ -20,6 +20,8 @@ struct ServerOptions {
   std::string log_file = {};  ///< empty: standard error
   std::string version = {};   ///< of the program, for `serverInfo` and the log
   std::string docs_url = kDefaultDocsUrl;
+  bool draws_previews =
+      true;  ///< false: previews have values but no pictures, so that no thread and no child is started
   /// False once the process of that id is gone; empty: the system is asked.
   std::function<bool(int64_t)> process_alive = {};
 };

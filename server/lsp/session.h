@@ -33,6 +33,7 @@
 #include "lsp/write_edits.h"
 #include "lsp/write_results.h"
 #include "preview/expression_look.h"
+#include "preview/bad_values.h"
 
 namespace texbrdf::lsp {
 
@@ -82,7 +83,7 @@ class Session {
   void prepare_for_edits() {
     for (auto& [uri, open] : documents_.all()) open.document.prepare_for_edits();
   }
-  /// `wake` may be called by any thread: `send_frames` then has something to send.
+  /// `wake` may be called by any thread: `send_frames` then has something to send. Without it nothing is drawn.
   void connect_wake(std::function<void()> wake) { previews_.connect(std::move(wake)); }
   /// Has what the previews show drawn anew where their documents have changed.
   void refresh_previews();
@@ -196,6 +197,14 @@ class Session {
   Outcome roots(const ModelParams& params, JsonWriter& result);
   Outcome emit(const EmitParams& params, JsonWriter& result);
   void show(int64_t id, const OpenPreview& preview);
+
+  // preview_values.cpp
+  Outcome quantities(const ModelParams& params, JsonWriter& result);
+  Outcome probe(const ProbeParams& params, JsonWriter& result);
+  Outcome bad_pixels(const PreviewParams& params, JsonWriter& result);
+  Outcome plot(const PlotParams& params, JsonWriter& result);
+  const OpenPreview* present_preview(int64_t id);
+  void write_bad_value(JsonWriter& out, const OpenPreview& preview, const preview::BadValue& bad);
 
   static ResponseError not_open(std::string_view uri);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -71,8 +72,11 @@ json expanded(const std::string& text) {
 }
 
 bool is_notification(std::string_view method) {
+  constexpr std::array kOfPreviews = {"texbrdf/updatePreview", "texbrdf/closePreview", "texbrdf/frameShown",
+                                      "texbrdf/setParameter"};
   return method == "initialized" || method == "exit" || method.starts_with("$/") ||
-         method.starts_with("textDocument/did") || method.starts_with("workspace/did") || method.starts_with("notify/");
+         std::ranges::find(kOfPreviews, method) != kOfPreviews.end() || method.starts_with("textDocument/did") ||
+         method.starts_with("workspace/did") || method.starts_with("notify/");
 }
 
 /// Turns the lines of a transcript into bytes.
@@ -316,7 +320,7 @@ std::string play(std::string_view transcript) {
     });
   }
   lsp::Log log(lsp::LogLevel::Error, [](std::string_view) {});
-  const int status = lsp::run_server(channel, log, {.version = "0.0", .docs_url = "docs"});
+  const int status = lsp::run_server(channel, log, {.version = "0.0", .docs_url = "docs", .draws_previews = false});
 
   std::string result;
   std::size_t answered = 0;
