@@ -30,6 +30,7 @@ LAYERS = read_layers()
 RESTRICTED_HEADERS = [
     (re.compile(r"nlohmann/"), ("server/lsp/",)),
     (re.compile(r"CLI/"), ("server/cli/",)),
+    (re.compile(r"boost/"), ("server/web/",)),
     (re.compile(r"(epoxy|EGL|GL|glslang|SPIRV)/"), ("server/render/",)),
     (re.compile(r"(thread|condition_variable|future|stop_token|fstream|iostream|filesystem|unistd\.h)$"),
      ("server/", "tests/")),
