@@ -9,7 +9,7 @@ export default defineConfig(
     files: ['**/*.ts'],
     extends: [tseslint.configs.recommendedTypeChecked, tseslint.configs.stylisticTypeChecked],
     languageOptions: {
-      parserOptions: { project: ['tsconfig.json', 'src/preview/webview/tsconfig.json', 'test/tsconfig.json'] },
+      parserOptions: { project: ['tsconfig.json', 'src/preview/webview/tsconfig.json', 'src/preview/browser/tsconfig.json', 'test/tsconfig.json'] },
     },
     rules: {
       '@typescript-eslint/switch-exhaustiveness-check': 'error',

@@ -21,6 +21,10 @@ Subcommand add_lsp(CLI::App& program) {
       ->type_name("LEVEL");
   arguments->add_option("--log-file", options->log_file, "where the log goes instead of standard error")
       ->type_name("FILE");
+  arguments
+      ->add_option("--preview-port", options->preview_port,
+                   "serve the preview to browsers of this machine at this port (0: any that is free)")
+      ->type_name("PORT");
   return {arguments, [options] { return static_cast<ExitCode>(lsp::run_server(*options)); }};
 }
 

@@ -23,6 +23,7 @@ struct OpenDocument {
   std::string items = {};    ///< what was published, of a project with several files
   uint64_t pulled_id = 0;    ///< of the last result that the client pulled; 0: none
   std::string pulled = {};   ///< that result's diagnostics as JSON
+  uint64_t touched = 0;      ///< the larger, the later it was opened or edited
 
   SemanticTokenCache semantic_tokens = {};
   SymbolCache symbols = {};

@@ -113,6 +113,7 @@ void Session::write_capabilities(JsonWriter& out) const {
     out.key(provider.capability);
     write_provider(out, provider.feature, client_);
   }
+  write_commands(out);
   write_workspace_capabilities(out);
   write_experimental_capabilities(out);
   out.end_object();
@@ -121,6 +122,7 @@ void Session::write_capabilities(JsonWriter& out) const {
 std::string Session::initialized(const NoParams&) {
   watch_configuration();
   watch_files();
+  tell_url();
   if (client_.configuration) ask_for_configuration();
   return {};
 }

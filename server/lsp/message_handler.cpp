@@ -35,6 +35,8 @@ std::string_view last_part(std::string_view method) {
 
 void MessageHandler::handle(const MessageQueue::Entry& entry) {
   const IncomingMessage& message = entry.message;
+  if (!session_.listens_to(entry.sender)) return;
+  session_.serve(entry.sender);
   faults_ = 0;
   switch (message.kind) {
     case IncomingMessage::Kind::Request:
@@ -46,7 +48,7 @@ void MessageHandler::handle(const MessageQueue::Entry& entry) {
       handle_notification(message);
       return;
     case IncomingMessage::Kind::Response:
-      handle_response(message);
+      if (entry.sender == kEditor) handle_response(message);
       return;
     case IncomingMessage::Kind::Broken:
       log_.error(fmt::format("broken message: {}", message.problem.message));
@@ -66,10 +68,14 @@ void MessageHandler::handle_request(const IncomingMessage& message, bool cancell
     reply_error(message, *error);
   } else {
     response.end_object();
-    send(response.take());
+    reply(response.take());
   }
   log_.debug(fmt::format("{} {}: {:.3f} ms{}", message.method, message.id, watch.milliseconds(),
                          error ? fmt::format(", error {}: {}", static_cast<int>(error->code), error->message) : ""));
+}
+
+bool MessageHandler::is_in_reach(const IncomingMessage& message) const {
+  return session_.speaker() == kEditor || is_for_browsers(message.method);
 }
 
 /// Why a request is not even looked at in the present state.
@@ -80,6 +86,7 @@ std::optional<ResponseError> MessageHandler::refusal(const IncomingMessage& mess
   if (session_.phase() == Session::Phase::Created && message.method != "initialize") {
     return ResponseError{ErrorCode::ServerNotInitialized, "the server is not initialized"};
   }
+  if (!is_in_reach(message)) return ResponseError{ErrorCode::MethodNotFound, "no method " + message.method};
   if (cancelled) return ResponseError{ErrorCode::RequestCancelled, "cancelled by the client"};
   return std::nullopt;
 }
@@ -93,7 +100,9 @@ std::optional<ResponseError> MessageHandler::answer(const IncomingMessage& messa
   }
   if (handler == nullptr) return ResponseError{ErrorCode::MethodNotFound, "no method " + message.method};
   try {
-    const Progress progress(session_.outbox(), work_done_token(*message.params), last_part(message.method));
+    const bool is_editors = session_.speaker() == kEditor;
+    const Progress progress(session_.outbox(), is_editors ? work_done_token(*message.params) : std::string(),
+                            last_part(message.method));
     return (*handler)(*message.params, result);
   } catch (const std::exception& fault) {
     recover(message.method, fault);
@@ -104,7 +113,7 @@ std::optional<ResponseError> MessageHandler::answer(const IncomingMessage& messa
 void MessageHandler::handle_notification(const IncomingMessage& message) {
   const bool running = session_.phase() == Session::Phase::Running;
   const Dispatcher::Notification* handler = methods_.find_notification(message.method);
-  if (handler == nullptr || (!running && message.method != "exit")) {
+  if (handler == nullptr || !is_in_reach(message) || (!running && message.method != "exit")) {
     log_.debug(fmt::format("{} is ignored", message.method));
     return;
   }
@@ -155,6 +164,7 @@ void MessageHandler::use_idle_time() {
   if (is_resting()) return;
   try {
     session_.refresh_previews();
+    session_.lead_browsers();
     session_.prepare_for_edits();
   } catch (const std::exception& fault) {
     recover("idle time", fault);
@@ -177,9 +187,14 @@ void MessageHandler::send(std::string body) {
   send_(std::move(body));
 }
 
+void MessageHandler::reply(std::string body) {
+  if (session_.speaker() == kEditor) return send(std::move(body));
+  session_.browsers().send(session_.speaker(), std::move(body));
+}
+
 void MessageHandler::reply_error(const IncomingMessage& message, const ResponseError& error) {
   ++session_.traffic().errors;
-  send(error_text(message.id, error));
+  reply(error_text(message.id, error));
 }
 
 }  // namespace texbrdf::lsp

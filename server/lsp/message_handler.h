@@ -37,6 +37,7 @@ class MessageHandler {
   void use_idle_time();
 
  private:
+  bool is_in_reach(const IncomingMessage& message) const;
   void handle_request(const IncomingMessage& message, bool cancelled);
   void handle_notification(const IncomingMessage& message);
   void handle_response(const IncomingMessage& message);
@@ -45,6 +46,8 @@ class MessageHandler {
   void recover(std::string_view where, const std::exception& fault);
   bool is_resting() const;
   void send(std::string body);
+  /// To whom the message is from that is being handled.
+  void reply(std::string body);
   void reply_error(const IncomingMessage& message, const ResponseError& error);
 
   Session& session_;

@@ -35,9 +35,19 @@ void MessageQueue::take_frames() {
       continue;
     }
     const std::string_view body = std::get<Frame>(*next).body;
-    if (log_.shows(LogLevel::Trace)) log_.trace(fmt::format("<- {}", body.substr(0, kTracedBytes)));
+    trace(body);
     add(parse_message(body), body.size());
   }
+}
+
+void MessageQueue::add_from(ViewerId browser, std::string_view body) {
+  trace(body);
+  waiting_bytes_ += body.size();
+  entries_.push_back({.message = parse_message(body), .bytes = body.size(), .sender = browser});
+}
+
+void MessageQueue::trace(std::string_view body) const {
+  if (log_.shows(LogLevel::Trace)) log_.trace(fmt::format("<- {}", body.substr(0, kTracedBytes)));
 }
 
 void MessageQueue::add(IncomingMessage message, std::size_t bytes) {
@@ -51,7 +61,8 @@ void MessageQueue::add(IncomingMessage message, std::size_t bytes) {
 
 void MessageQueue::cancel(std::string_view id) {
   for (Entry& entry : entries_) {
-    if (entry.message.kind == IncomingMessage::Kind::Request && entry.message.id == id) entry.cancelled = true;
+    const bool is_editors = entry.sender == kEditor && entry.message.kind == IncomingMessage::Kind::Request;
+    if (is_editors && entry.message.id == id) entry.cancelled = true;
   }
 }
 

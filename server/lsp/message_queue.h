@@ -4,6 +4,7 @@
 #include <optional>
 #include <string_view>
 
+#include "lsp/browsers.h"
 #include "lsp/channel.h"
 #include "lsp/framing.h"
 #include "lsp/json_rpc.h"
@@ -21,10 +22,14 @@ class MessageQueue {
     IncomingMessage message;
     std::size_t bytes = 0;
     bool cancelled = false;
+    ViewerId sender = kEditor;
   };
 
   /// Takes in what the client has sent, up to a limit; waits at most `timeout_ms` for the first of it.
   Channel::Status receive(int timeout_ms);
+  /// One message of a browser.
+  void add_from(ViewerId browser, std::string_view body);
+  std::size_t size() const { return entries_.size(); }
   bool empty() const { return entries_.empty(); }
   Entry pop();
   /// True when the stream stops in the middle of a message.
@@ -33,6 +38,7 @@ class MessageQueue {
  private:
   void take_frames();
   void add(IncomingMessage message, std::size_t bytes);
+  void trace(std::string_view body) const;
   void cancel(std::string_view id);
 
   Channel& channel_;

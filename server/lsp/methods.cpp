@@ -12,6 +12,8 @@ void Session::bind_methods(Dispatcher& bind) {
   bind.notification("workspace/didChangeWatchedFiles", *this, &Session::did_change_watched_files);
   bind.notification("workspace/didChangeWorkspaceFolders", *this, &Session::did_change_workspace_folders);
 
+  bind.request("workspace/executeCommand", *this, &Session::execute_command);
+
   bind.notification("textDocument/didOpen", *this, &Session::did_open);
   bind.notification("textDocument/didChange", *this, &Session::did_change);
   bind.notification("textDocument/didSave", *this, &Session::did_save);
@@ -51,6 +53,8 @@ void Session::bind_methods(Dispatcher& bind) {
   bind.request("texbrdf/probe", *this, &Session::probe);
   bind.request("texbrdf/badPixels", *this, &Session::bad_pixels);
   bind.request("texbrdf/plot", *this, &Session::plot);
+  bind.request("texbrdf/applyEdit", *this, &Session::apply_edit);
+  bind.request("texbrdf/reveal", *this, &Session::reveal);
   bind.request("texbrdf/stats", *this, &Session::stats);
 }
 

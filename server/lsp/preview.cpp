@@ -67,7 +67,8 @@ void write_state(JsonWriter& out, const std::string& uri, const preview::SceneSt
 Session::Outcome Session::open_preview(const OpenPreviewParams& params, JsonWriter& result) {
   OpenDocument* open = documents_.find(params.uri);
   if (open == nullptr) return not_open(params.uri);
-  OpenPreview preview{.uri = params.uri, .root = {}, .view = {}, .values = {}};
+  if (previews_.are_many()) return ResponseError{ErrorCode::RequestFailed, "too many previews are open"};
+  OpenPreview preview{.viewer = kEditor, .uri = params.uri, .root = {}, .view = {}, .values = {}};
   if (auto fault = change_view(params.view, preview)) return ResponseError{ErrorCode::InvalidParams, *std::move(fault)};
   const Snapshot& snapshot = open->document.snapshot();
   result.begin_object();
@@ -158,6 +159,11 @@ void Session::show(int64_t id, const OpenPreview& preview) {
   previews_.show(id, preview, open->document.snapshot(), open->version.value_or(0));
 }
 
+void Session::tell_viewer(ViewerId viewer, std::string_view method, const Outbox::WriteParams& write_params) {
+  if (viewer == kEditor) return outbox_.notify(method, write_params);
+  browsers_.notify(viewer, method, write_params);
+}
+
 void Session::refresh_previews() {
   for (auto& [id, preview] : previews_.all()) {
     if (!preview.is_stale) continue;
@@ -170,13 +176,14 @@ void Session::refresh_previews() {
 void Session::send_frames() {
   for (const preview::Event& event : previews_.take_events()) {
     const auto id = std::visit([](const auto& told) { return told.preview; }, event);
-    const OpenPreview* const preview = previews_.find(id);
+    const OpenPreview* const preview = previews_.find_of_any(id);
     if (preview == nullptr) continue;
     if (const auto* frame = std::get_if<preview::Frame>(&event)) {
-      outbox_.notify("texbrdf/frame", [&](JsonWriter& out) { write_frame(out, preview->uri, *frame); });
+      tell_viewer(preview->viewer, "texbrdf/frame", [&](JsonWriter& out) { write_frame(out, preview->uri, *frame); });
     } else {
       const auto& state = std::get<preview::SceneState>(event);
-      outbox_.notify("texbrdf/previewState", [&](JsonWriter& out) { write_state(out, preview->uri, state); });
+      tell_viewer(preview->viewer, "texbrdf/previewState",
+                  [&](JsonWriter& out) { write_state(out, preview->uri, state); });
     }
   }
   for (const std::string& fault : previews_.take_faults()) log_.warning(fault);

@@ -48,13 +48,24 @@ void update_exact(OpenPreview& preview, const Snapshot& snapshot) {
 
 int64_t Previews::open(OpenPreview preview) {
   if (!service_ && wake_) service_ = std::make_unique<preview::PreviewService>(wake_);
+  preview.viewer = viewer_;
   previews_.emplace(++last_id_, std::move(preview));
   return last_id_;
 }
 
 OpenPreview* Previews::find(int64_t id) {
   const auto found = previews_.find(id);
+  return found == previews_.end() || found->second.viewer != viewer_ ? nullptr : &found->second;
+}
+
+const OpenPreview* Previews::find_of_any(int64_t id) const {
+  const auto found = previews_.find(id);
   return found == previews_.end() ? nullptr : &found->second;
+}
+
+bool Previews::are_many() const {
+  constexpr std::size_t kMany = 256;
+  return previews_.size() >= kMany;
 }
 
 void Previews::note_change() {
@@ -62,13 +73,23 @@ void Previews::note_change() {
 }
 
 void Previews::close(int64_t id) {
-  if (previews_.erase(id) > 0 && service_) service_->close(id);
+  if (find(id) == nullptr) return;
+  previews_.erase(id);
+  if (service_) service_->close(id);
 }
 
 void Previews::close_all(std::string_view uri) {
   std::erase_if(previews_, [&](const auto& entry) {
     if (entry.second.uri != uri) return false;
     if (service_) service_->close(entry.first);
+    return true;
+  });
+}
+
+void Previews::close_all_of(ViewerId viewer) {
+  std::erase_if(previews_, [&](const auto& entry) {
+    if (entry.second.viewer != viewer) return false;
+    service_->close(entry.first);
     return true;
   });
 }
@@ -83,7 +104,7 @@ void Previews::show(int64_t id, const OpenPreview& preview, const Snapshot& snap
 }
 
 void Previews::acknowledge(int64_t id) {
-  if (service_) service_->acknowledge(id);
+  if (find(id) != nullptr) service_->acknowledge(id);
 }
 
 std::vector<preview::Event> Previews::take_events() {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "lsp/browsers.h"
 #include "lsp/preview_params.h"
 #include "preview/exact_model.h"
 #include "preview/preview_service.h"
@@ -20,8 +21,9 @@ struct ExactValues {
   std::string problem;                                ///< why a BRDF that can be drawn has no values here
 };
 
-/// A preview that the client has open.
+/// A preview that the editor or a browser has open.
 struct OpenPreview {
+  ViewerId viewer = kEditor;
   std::string uri;
   std::string root;  ///< canonical; empty: the document's own
   render::SphereView view;
@@ -37,19 +39,26 @@ std::optional<std::string> change_view(const ViewChange& change, OpenPreview& pr
 /// Compiles what the preview shows, unless that is done already. Precondition: it is not stale.
 void update_exact(OpenPreview& preview, const Snapshot& snapshot);
 
-/// The previews of a client. Threads that draw are started with the first.
+/// The previews of the editor and of browsers. Threads that draw are started with the first.
 class Previews {
  public:
   /// `wake` is called on any thread when there are events. Without it nothing is drawn.
   void connect(std::function<void()> wake) { wake_ = std::move(wake); }
 
+  /// Until the next call all that names a preview means one of this viewer's, and no other.
+  void serve(ViewerId viewer) { viewer_ = viewer; }
+  /// So many that another is refused.
+  bool are_many() const;
   int64_t open(OpenPreview preview);
   /// nullptr where there is none.
   OpenPreview* find(int64_t id);
+  /// nullptr where there is none, whosever it is.
+  const OpenPreview* find_of_any(int64_t id) const;
   /// A document has another text: its previews are drawn anew, and those of all others, which may be of its project.
   void note_change();
   void close(int64_t id);
   void close_all(std::string_view uri);
+  void close_all_of(ViewerId viewer);
   void clear();
   std::map<int64_t, OpenPreview>& all() { return previews_; }
 
@@ -61,6 +70,7 @@ class Previews {
  private:
   std::function<void()> wake_;
   std::map<int64_t, OpenPreview> previews_;
+  ViewerId viewer_ = kEditor;
   int64_t last_id_ = 0;
   std::unique_ptr<preview::PreviewService> service_;
 };

@@ -47,6 +47,8 @@ struct InitializeParams {
   bool prepare_rename = false;      ///< it asks before it renames
   bool versioned_edits = false;     ///< `documentChanges` of a WorkspaceEdit
   bool work_done_progress = false;  ///< the server may begin a progress of its own
+  bool applies_edits = false;       ///< the server may ask it to change documents
+  bool shows_documents = false;     ///< the server may ask it to show a place, or a page in a browser
   bool configuration = false;       ///< it can be asked for its settings
   bool configuration_registration = false;
   std::array<bool, kFeatureCount> registration{};  ///< by Feature: providers may be registered later

@@ -95,7 +95,10 @@ std::string read_params(json& params, InitializeParams& out) {
   out.versioned_edits = Reader::flag(Reader::optional(workspace, "workspaceEdit"), "documentChanges");
   out.configuration = Reader::flag(workspace, "configuration");
   out.configuration_registration = Reader::flag(changed_configuration, "dynamicRegistration");
-  out.work_done_progress = Reader::flag(Reader::optional(capabilities, "window"), "workDoneProgress");
+  out.applies_edits = Reader::flag(workspace, "applyEdit");
+  json* window = Reader::optional(capabilities, "window");
+  out.work_done_progress = Reader::flag(window, "workDoneProgress");
+  out.shows_documents = Reader::flag(Reader::optional(window, "showDocument"), "support");
   out.folders = workspace_folders(object);
   if (const json* options = Reader::optional(object, "initializationOptions")) {
     out.setting_problems = apply_settings(*options, out.settings);

@@ -16,6 +16,7 @@
 #include "lsp/log_output.h"
 #include "lsp/message_handler.h"
 #include "lsp/message_queue.h"
+#include "lsp/preview_site.h"
 #include "lsp/session.h"
 
 namespace texbrdf::lsp {
@@ -39,11 +40,13 @@ class Server {
         handler_(session_, methods_, log, [&channel](std::string body) { channel.write(frame(std::move(body))); }) {
     session_.bind_methods(methods_);
     if (options.draws_previews) session_.connect_wake([&channel] { channel.wake(); });
+    if (options.preview_port) serve_browsers(*options.preview_port);
   }
 
   int run();
 
  private:
+  void serve_browsers(uint16_t port);
   int end_without_exit(std::string_view reason);
 
   Channel& channel_;
@@ -53,6 +56,7 @@ class Server {
   Session session_;
   Dispatcher methods_;
   MessageHandler handler_;
+  std::optional<PreviewSite> site_;
   int messages_since_publication_ = 0;
 };
 
@@ -62,6 +66,7 @@ int Server::run() {
     const bool idle = queue_.empty() && !handler_.has_publications();
     if (idle) handler_.use_idle_time();
     const Channel::Status status = queue_.receive(idle ? kProcessCheckMs : 0);
+    if (site_) site_->receive(queue_, session_);
     session_.send_frames();
     if (!handler_.has_publications()) messages_since_publication_ = 0;
     if (handler_.has_publications() &&
@@ -79,6 +84,16 @@ int Server::run() {
   channel_.flush();
   log_.info(fmt::format("exit, status {}", session_.exit_status()));
   return session_.exit_status();
+}
+
+void Server::serve_browsers(uint16_t port) {
+  auto site = PreviewSite::open(port, [this] { channel_.wake(); });
+  if (!site) {
+    log_.error(fmt::format("no preview for browsers: {}", site.error()));
+    return session_.browsers().give_up(site.error());
+  }
+  site_.emplace(*std::move(site));
+  site_->connect(session_, log_);
 }
 
 int Server::end_without_exit(std::string_view reason) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "lsp/log.h"
@@ -20,8 +21,9 @@ struct ServerOptions {
   std::string log_file = {};  ///< empty: standard error
   std::string version = {};   ///< of the program, for `serverInfo` and the log
   std::string docs_url = kDefaultDocsUrl;
-  bool draws_previews =
-      true;  ///< false: previews have values but no pictures, so that no thread and no child is started
+  /// False: previews have values but no pictures, so that no thread and no child is started.
+  bool draws_previews = true;
+  std::optional<uint16_t> preview_port = {};  ///< previews for browsers; 0: any port that is free; nothing: none
   /// False once the process of that id is gone; empty: the system is asked.
   std::function<bool(int64_t)> process_alive = {};
 };

@@ -12,6 +12,8 @@
 
 #include "features/code_actions.h"
 #include "features/hover.h"
+#include "lsp/browser_params.h"
+#include "lsp/browsers.h"
 #include "lsp/client_process.h"
 #include "lsp/code_actions.h"
 #include "lsp/code_lenses.h"
@@ -71,6 +73,7 @@ class Session {
   int exit_status() const { return shut_down_ ? 0 : 1; }
   Traffic& traffic() { return traffic_; }
   Outbox& outbox() { return outbox_; }
+  Browsers& browsers() { return browsers_; }
   /// The method belongs to a feature that the client has switched off: it is answered with null.
   bool is_switched_off(std::string_view method) const;
 
@@ -88,6 +91,15 @@ class Session {
   /// Has what the previews show drawn anew where their documents have changed.
   void refresh_previews();
   void send_frames();
+
+  /// Whose message is handled next.
+  void serve(ViewerId viewer);
+  ViewerId speaker() const { return speaker_; }
+  bool listens_to(ViewerId viewer) const;
+  void browser_came(ViewerId browser);
+  void browser_went(ViewerId browser);
+  /// Tells browsers which document was opened or edited last.
+  void lead_browsers();
 
   bool has_publications() {
     notice_projects();
@@ -197,6 +209,16 @@ class Session {
   Outcome roots(const ModelParams& params, JsonWriter& result);
   Outcome emit(const EmitParams& params, JsonWriter& result);
   void show(int64_t id, const OpenPreview& preview);
+  void tell_viewer(ViewerId viewer, std::string_view method, const Outbox::WriteParams& write_params);
+
+  // browser_requests.cpp
+  Outcome apply_edit(const ApplyEditParams& params, JsonWriter& result);
+  Outcome reveal(const RevealParams& params, JsonWriter& result);
+  Outcome execute_command(const ExecuteCommandParams& params, JsonWriter& result);
+  void write_commands(JsonWriter& out) const;
+  void tell_url();
+  bool is_known_file(std::string_view uri);
+  std::optional<std::string> fault_of(const WantedChange& change);
 
   // preview_values.cpp
   Outcome quantities(const ModelParams& params, JsonWriter& result);
@@ -230,6 +252,10 @@ class Session {
   uint64_t last_result_ = 0;                            ///< id of the last pulled result
   uint64_t last_progress_ = 0;                          ///< token of the last progress that the server began
   uint64_t last_token_result_ = 0;                      ///< id of the last semantic tokens
+  uint64_t last_touch_ = 0;                             ///< grows with each document that is opened or edited
+  int64_t last_edit_ = 0;                               ///< that a browser asked for
+  ViewerId speaker_ = kEditor;                          ///< whose message is being handled
+  Browsers browsers_;
   Previews previews_;
   std::optional<preview::ExpressionSampler> sampler_;  ///< from the first hover that needs it
   Outbox outbox_;

@@ -24,6 +24,7 @@ std::string Session::did_open(const DidOpenParams& params) {
   std::erase(closed_, params.uri);
   previews_.note_change();
   OpenDocument& open = documents_.open(params.uri, params.text, params.version);
+  open.touched = ++last_touch_;
   log_.debug(fmt::format("{} is open, {}, version {}, {} bytes", shown_path(params.uri), params.language_id,
                          params.version, params.text.size()));
   if (client_.work_done_progress && params.text.size() >= kLargeDocumentBytes) analyse_visibly(open);
@@ -36,6 +37,7 @@ std::string Session::did_change(const DidChangeParams& params) {
   for (const ContentChange& change : params.changes) apply(change, *open);
   open->version = params.version;
   open->published = false;
+  open->touched = ++last_touch_;
   previews_.note_change();
   return {};
 }

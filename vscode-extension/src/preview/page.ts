@@ -1,23 +1,37 @@
 // The HTML of the preview. Nothing but its own two files may run or be loaded; pictures arrive as data.
 
 export interface PageParts {
-  nonce: string;
   scriptUri: string;
   styleUri: string;
+}
+
+export interface WebviewParts extends PageParts {
+  nonce: string;
   /** Where VS Code serves the two files from. */
   source: string;
 }
 
-export function contentSecurityPolicy({ nonce, source }: PageParts): string {
+export function contentSecurityPolicy({ nonce, source }: WebviewParts): string {
   return [`default-src 'none'`, `img-src data:`, `style-src ${source}`, `script-src 'nonce-${nonce}'`].join('; ');
 }
 
-export function previewPage(parts: PageParts): string {
+/** Of a page that `texbrdf lsp --preview-port` serves; it sends a policy as well, which allows no more. */
+export const browserPolicy = [`default-src 'none'`, `img-src data:`, `style-src 'self'`, `script-src 'self'`, `connect-src 'self'`].join('; ');
+
+export function webviewPage(parts: WebviewParts): string {
+  return previewPage(parts, contentSecurityPolicy(parts), ` nonce="${parts.nonce}"`);
+}
+
+export function browserPage(parts: PageParts): string {
+  return previewPage(parts, browserPolicy, '');
+}
+
+function previewPage(parts: PageParts, policy: string, scriptAttributes: string): string {
   return `<!DOCTYPE html>
 <html lang="en">
 <head>
   <meta charset="utf-8">
-  <meta http-equiv="Content-Security-Policy" content="${contentSecurityPolicy(parts)}">
+  <meta http-equiv="Content-Security-Policy" content="${policy}">
   <meta name="viewport" content="width=device-width, initial-scale=1">
   <link rel="stylesheet" href="${parts.styleUri}">
   <title>texbrdf preview</title>
@@ -52,7 +66,7 @@ export function previewPage(parts: PageParts): string {
     <div id="sliders"></div>
     <button id="resetAll" title="All parameters as they were when this document was first drawn">Reset all</button>
   </section>
-  <script nonce="${parts.nonce}" src="${parts.scriptUri}"></script>
+  <script${scriptAttributes} src="${parts.scriptUri}"></script>
 </body>
 </html>`;
 }

@@ -8,7 +8,7 @@ import { rootsOf } from '../roots';
 import type { ServerProcess } from '../server_process';
 import type { TextChange } from '../text_changes';
 import type { FromPage, ToPage } from './messages';
-import { previewPage } from './page';
+import { webviewPage } from './page';
 import { Session } from './session';
 import { standardLook } from './standard_look';
 
@@ -58,7 +58,7 @@ export class PreviewPanel implements vscode.Disposable {
       this.panel = undefined;
       this.session = undefined;
     });
-    panel.webview.html = previewPage({
+    panel.webview.html = webviewPage({
       nonce: randomBytes(16).toString('hex'),
       scriptUri: panel.webview.asWebviewUri(vscode.Uri.joinPath(dist, 'preview.js')).toString(),
       styleUri: panel.webview.asWebviewUri(vscode.Uri.joinPath(media, 'preview.css')).toString(),

@@ -1,14 +1,14 @@
-// How a picture looks unless somebody turns it: the numbers of `texbrdf render` and the settings.
+// How a picture looks unless somebody turns it: as the settings say.
 import * as vscode from 'vscode';
 import type { Look } from '../protocol';
+import { defaultLook } from './default_look';
 
 export function standardLook(): Look {
   const setting = vscode.workspace.getConfiguration('texbrdf.preview');
   return {
-    light: { theta: 33.8941, phi: 145.826 },
-    zoom: 1,
-    exposure: setting.get('exposure', -1.248),
-    gamma: setting.get('gamma', 2.112),
-    cosine: setting.get('cosine', true),
+    ...defaultLook,
+    exposure: setting.get('exposure', defaultLook.exposure),
+    gamma: setting.get('gamma', defaultLook.gamma),
+    cosine: setting.get('cosine', defaultLook.cosine),
   };
 }

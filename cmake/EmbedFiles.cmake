@@ -1,0 +1,22 @@
+# cmake -DOUT=FILE.cpp [-DFOLDER=DIR] -P EmbedFiles.cmake: the files of the folder as the C++ source that defines
+# texbrdf::pane::embedded_files(); without a folder, one that has none.
+set(entries "")
+set(arrays "")
+set(files "")
+if(FOLDER)
+  file(GLOB files RELATIVE ${FOLDER} ${FOLDER}/*)
+endif()
+set(number 0)
+foreach(name IN LISTS files)
+  file(READ ${FOLDER}/${name} bytes HEX)
+  string(REGEX REPLACE "([0-9a-f][0-9a-f])" "'\\\\x\\1'," bytes "${bytes}")
+  string(APPEND arrays "constexpr char kFile${number}[] = {${bytes}'\\0'};\n")
+  string(APPEND entries "    {\"${name}\", {kFile${number}, sizeof kFile${number} - 1}},\n")
+  math(EXPR number "${number} + 1")
+endforeach()
+
+set(text "// Written by cmake/EmbedFiles.cmake.\n#include \"pane/embedded_files.h\"\n\n#include <array>\n\n")
+string(APPEND text "namespace texbrdf::pane {\nnamespace {\n\n${arrays}")
+string(APPEND text "constexpr std::array<EmbeddedFile, ${number}> kFiles{{\n${entries}}};\n\n}  // namespace\n\n")
+string(APPEND text "std::span<const EmbeddedFile> embedded_files() {\n  return kFiles;\n}\n\n}  // namespace texbrdf::pane\n")
+file(WRITE ${OUT} "${text}")

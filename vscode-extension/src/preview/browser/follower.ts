@@ -1,0 +1,36 @@
+// The session shows the document that was opened or edited last in the editor, if there is something to draw in it.
+import type { FollowedDocument } from '../../browser_protocol';
+import type { Roots } from '../../protocol';
+import type { Subject } from '../session';
+
+export interface Followed {
+  readonly uri: string | undefined;
+  show: (subject: Subject) => Promise<void>;
+  documentChanged: (uri: string, version: number) => void;
+  documentClosed: (uri: string) => void;
+}
+
+export class Follower {
+  private last: FollowedDocument = { uri: null };
+
+  constructor(private readonly session: Followed, private readonly roots: (uri: string) => Promise<Roots>) {}
+
+  async follow(document: FollowedDocument): Promise<void> {
+    this.last = document;
+    const shown = this.session.uri;
+    if (document.uri === null) {
+      if (shown !== undefined) this.session.documentClosed(shown);
+    } else if (document.uri === shown) {
+      this.session.documentChanged(document.uri, document.version);
+    } else {
+      await this.change(document);
+    }
+  }
+
+  private async change(document: FollowedDocument & { uri: string }): Promise<void> {
+    const { root, candidates } = await this.roots(document.uri);
+    const isDrawable = root !== null || candidates.length > 0;
+    if (this.last !== document || (!isDrawable && this.session.uri !== undefined)) return;
+    await this.session.show({ uri: document.uri, name: document.name, version: document.version, root: undefined });
+  }
+}
