@@ -121,7 +121,7 @@ void Session::tell_url() {
   outbox_.notify("window/showMessage", [&](JsonWriter& out) {
     out.begin_object();
     out.member("type", browsers_.are_served() ? kInfoMessage : kErrorMessage);
-    out.member("message", "texbrdf preview: " + (browsers_.are_served() ? browsers_.url() : browsers_.problem()));
+    out.member("message", "BRDF preview: " + (browsers_.are_served() ? browsers_.url() : browsers_.problem()));
     out.end_object();
   });
 }

@@ -89,7 +89,7 @@ void Previews::close_all(std::string_view uri) {
 void Previews::close_all_of(ViewerId viewer) {
   std::erase_if(previews_, [&](const auto& entry) {
     if (entry.second.viewer != viewer) return false;
-    service_->close(entry.first);
+    if (service_) service_->close(entry.first);
     return true;
   });
 }
@@ -104,7 +104,7 @@ void Previews::show(int64_t id, const OpenPreview& preview, const Snapshot& snap
 }
 
 void Previews::acknowledge(int64_t id) {
-  if (find(id) != nullptr) service_->acknowledge(id);
+  if (service_ && find(id) != nullptr) service_->acknowledge(id);
 }
 
 std::vector<preview::Event> Previews::take_events() {

@@ -8,16 +8,17 @@
 namespace texbrdf::web {
 namespace {
 
-constexpr std::size_t kTokenBytes = 32;
+constexpr std::size_t kTokenLetters = 22;
+constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
 constexpr std::string_view kOwnScheme = "http://";
 
 }  // namespace
 
 std::optional<std::string> make_token() {
-  std::array<uint8_t, kTokenBytes> bytes{};
+  std::array<uint8_t, kTokenLetters> bytes{};
   if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) return std::nullopt;
   std::string token;
-  for (const uint8_t byte : bytes) token += fmt::format("{:02x}", byte);
+  for (const uint8_t byte : bytes) token += kLetters[byte % kLetters.size()];
   return token;
 }
 

@@ -7,7 +7,7 @@
 
 namespace texbrdf::web {
 
-/// 256 random bits as hexadecimal digits; nothing where the system has none to give.
+/// 132 random bits in letters that need no escape; nothing where the system has none to give.
 std::optional<std::string> make_token();
 
 /// In a time that does not tell how much of them is equal.

@@ -1,4 +1,4 @@
-;; See an error, look at a name, go to its definition, mend the error, rename. Each wait is for an event.
+;; See an error, look at a name, go to its definition, mend the error, rename, ask for the preview. Each wait is for an event.
 (require 'package)
 (package-initialize)
 (load (expand-file-name "init.el") nil t t)
@@ -63,6 +63,11 @@
 (let ((renamed (string-replace "\\rho_d" "\\sigma" (buffer-string))))
   (eglot-rename "\\sigma")
   (expect "text with the new name" renamed (buffer-string)))
+
+(let* (visited
+       (browse-url-browser-function (lambda (url &rest _) (setq visited url))))
+  (texbrdf-preview)
+  (unless (string-match-p "\\`http://127\\.0\\.0\\.1:[0-9]+/[[:alnum:]_-]+/\\'" visited) (error "No address: %s" visited)))
 
 (set-buffer-modified-p nil)
 (eglot-shutdown (eglot-current-server))

@@ -1,4 +1,4 @@
--- See an error, look at a name, go to its definition, mend the error, rename. Each wait is for an event.
+-- See an error, look at a name, go to its definition, mend the error, rename, ask for the preview. Each wait is for an event.
 local kDeadline = 60000 -- ms
 
 local function wait_for(what, condition)
@@ -55,7 +55,16 @@ local function session()
   wait_for('the new name', function() return vim.deep_equal(lines(), renamed) end)
 end
 
-local passed, fault = xpcall(session, debug.traceback)
+-- The command's message says where the preview is.
+local function preview()
+  local told
+  vim.lsp.handlers['window/showMessage'] = function(_, result) told = result.message end
+  vim.cmd('TexbrdfPreview')
+  wait_for('the address of the preview', function() return told end)
+  assert(told:match('^BRDF preview: http://127%.0%.0%.1:%d+/[%w_-]+/$'), told)
+end
+
+local passed, fault = xpcall(function() session() preview() end, debug.traceback)
 if not passed then
   io.stderr:write(fault, '\ntext:\n', table.concat(lines(), '\n'), '\ndiagnostics:\n', vim.inspect(vim.diagnostic.get(0)), '\n')
 end

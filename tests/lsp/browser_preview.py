@@ -147,12 +147,12 @@ def begin(editor):
     editor.notify("initialized", {})
     message = editor.wait_for("window/showMessage")["params"]
     prefix, _, url = message["message"].partition(": ")
-    assert prefix == "texbrdf preview" and message["type"] == 3, message
+    assert prefix == "BRDF preview" and message["type"] == 3, message
     return urllib.parse.urlsplit(url)
 
 
 def check_who_is_let_in(url):
-    assert url.hostname == "127.0.0.1" and len(url.path) == 66, url
+    assert url.hostname == "127.0.0.1" and len(url.path) == 24, url
     status, headers, page = fetch(url)
     assert status == 200 and "texbrdf preview" in page, page
     policy = headers["Content-Security-Policy"]

@@ -40,7 +40,10 @@ const session = new Session({
 const follower = new Follower(session, roots);
 
 link.on('texbrdf/welcome', () => { void session.reopen(); });
-link.on('texbrdf/document', (document) => { void follower.follow(document); });
+link.on('texbrdf/document', (document) => {
+  if (document.uri === null && session.uri === undefined) report('Open a LaTeX document in the editor: it is drawn here.');
+  void follower.follow(document);
+});
 link.on('texbrdf/frame', (frame) => { session.frameArrived(frame); });
 link.on('texbrdf/previewState', (state) => { session.stateArrived(state); });
 onPageMessage((message) => { void session.pageSays(message); });
