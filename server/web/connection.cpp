@@ -5,6 +5,7 @@
 #include <boost/beast/http/read.hpp>
 #include <boost/beast/http/write.hpp>
 #include <chrono>
+#include <tuple>
 #include <utility>
 
 namespace texbrdf::web {
@@ -168,7 +169,7 @@ void Connection::refuse(const Error& error) {
 
 void Connection::close_gently() {
   Error ignored;
-  stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
+  std::ignore = stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
   stream_.expires_after(kGentleClose);
   drain();
 }

@@ -10,6 +10,7 @@
 #include <chrono>
 #include <exception>
 #include <thread>
+#include <tuple>
 #include <utility>
 
 #include "web/access.h"
@@ -30,16 +31,20 @@ void keep_from_children(int descriptor) {
   fcntl(descriptor, F_SETFD, FD_CLOEXEC);
 }
 
+void prepare(tcp::socket& socket) {
+  keep_from_children(socket.native_handle());
+  Error ignored;  // only slower
+  std::ignore = socket.set_option(tcp::no_delay(true), ignored);
+}
+
 Error listen_on_loopback(tcp::acceptor& acceptor, uint16_t port) {
   const tcp::endpoint endpoint(asio::ip::address_v4::loopback(), port);
   Error error;
-  acceptor.open(endpoint.protocol(), error);
-  if (error) return error;
+  if (acceptor.open(endpoint.protocol(), error)) return error;
   keep_from_children(acceptor.native_handle());
-  acceptor.set_option(tcp::acceptor::reuse_address(true), error);
-  acceptor.bind(endpoint, error);
-  if (!error) acceptor.listen(tcp::acceptor::max_listen_connections, error);
-  return error;
+  if (acceptor.set_option(tcp::acceptor::reuse_address(true), error)) return error;
+  if (acceptor.bind(endpoint, error)) return error;
+  return acceptor.listen(tcp::acceptor::max_listen_connections, error);
 }
 
 }  // namespace
@@ -102,7 +107,7 @@ void EventServer::Loop::accept() {
   acceptor_.async_accept([this](const Error& error, tcp::socket socket) {
     if (error) return accept_later();
     accept();
-    keep_from_children(socket.native_handle());
+    prepare(socket);
     if (served_.connections + served_.streams.size() < served_.limits.connections) {
       std::make_shared<Connection>(std::move(socket), served_)->read_request();
     }
@@ -117,11 +122,11 @@ void EventServer::Loop::accept_later() {
 }
 
 void EventServer::Loop::send(ClientId client, std::string data) {
-  asio::post(io_, [this, client, data = std::move(data)]() mutable {
+  asio::post(io_, [this, client, data = std::move(data)] {
     const auto found = served_.streams.find(client);
     if (found == served_.streams.end()) return;
     const std::shared_ptr<EventStream> stream = found->second;  // `send` may end it
-    stream->send(std::move(data));
+    stream->send(data);
   });
 }
 

@@ -3,6 +3,7 @@
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/write.hpp>
 #include <boost/beast/http/write.hpp>
+#include <tuple>
 #include <utility>
 
 namespace texbrdf::web {
@@ -27,7 +28,7 @@ void EventStream::start() {
                                          });
 }
 
-void EventStream::send(std::string data) {
+void EventStream::send(std::string_view data) {
   unsent_.push_back(event_text(data));
   unsent_bytes_ += unsent_.back().size();
   if (unsent_bytes_ > max_unsent_) return end();
@@ -56,8 +57,8 @@ void EventStream::watch() {
 void EventStream::end() {
   if (!on_end_) return;
   Error ignored;
-  socket_.shutdown(boost::asio::ip::tcp::socket::shutdown_both, ignored);
-  socket_.close(ignored);
+  std::ignore = socket_.shutdown(boost::asio::ip::tcp::socket::shutdown_both, ignored);
+  std::ignore = socket_.close(ignored);
   std::exchange(on_end_, {})();
 }
 

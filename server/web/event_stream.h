@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 
 namespace texbrdf::web {
 
@@ -22,7 +23,7 @@ class EventStream : public std::enable_shared_from_this<EventStream> {
   EventStream(boost::asio::ip::tcp::socket socket, Head head, std::size_t max_unsent, std::function<void()> on_end);
 
   void start();
-  void send(std::string data);
+  void send(std::string_view data);
   void end();
 
  private:

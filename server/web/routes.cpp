@@ -28,8 +28,9 @@ bool is_from_here(const RequestHead& head, uint16_t port) {
 
 std::optional<ClientId> client_of(std::string_view digits) {
   ClientId client = 0;
-  const char* const end = digits.data() + digits.size();
-  const auto read = std::from_chars(digits.data(), end, client);
+  const char* const begin = digits.data();
+  const char* const end = begin + digits.size();
+  const auto read = std::from_chars(begin, end, client);
   if (digits.empty() || read.ec != std::errc() || read.ptr != end) return std::nullopt;
   return client;
 }
