@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -14,15 +13,6 @@ namespace {
 
 /// With so many messages to be handled, those of browsers wait where they are bounded.
 constexpr std::size_t kMostWaiting = 100;
-
-/// A body holds one message a line.
-void add_lines(MessageQueue& queue, ViewerId browser, std::string_view body) {
-  while (!body.empty()) {
-    const std::size_t end = std::min(body.find('\n'), body.size());
-    if (end > 0) queue.add_from(browser, body.substr(0, end));
-    body.remove_prefix(std::min(end + 1, body.size()));
-  }
-}
 
 }  // namespace
 
@@ -40,12 +30,29 @@ void PreviewSite::connect(Session& session, Log& log) {
 }
 
 void PreviewSite::receive(MessageQueue& queue, Session& session) {
-  if (queue.size() > kMostWaiting) return;
-  for (web::Happening& happening : server_.take()) {
-    if (const auto* came = std::get_if<web::Connected>(&happening)) session.browser_came(came->client);
-    if (const auto* gone = std::get_if<web::Gone>(&happening)) session.browser_went(gone->client);
-    if (const auto* message = std::get_if<web::Message>(&happening)) add_lines(queue, message->client, message->body);
+  if (next_ == happenings_.size()) {
+    happenings_ = server_.take();
+    next_ = 0;
   }
+  while (next_ < happenings_.size() && queue.size() < kMostWaiting) take_in(happenings_[next_], queue, session);
+}
+
+void PreviewSite::take_in(const web::Happening& happening, MessageQueue& queue, Session& session) {
+  if (const auto* message = std::get_if<web::Message>(&happening)) return take_line(*message, queue);
+  if (const auto* came = std::get_if<web::Connected>(&happening)) session.browser_came(came->client);
+  if (const auto* gone = std::get_if<web::Gone>(&happening)) session.browser_went(gone->client);
+  ++next_;
+}
+
+/// A body holds one message a line.
+void PreviewSite::take_line(const web::Message& message, MessageQueue& queue) {
+  const std::string_view rest = std::string_view(message.body).substr(line_begin_);
+  const std::string_view line = rest.substr(0, rest.find('\n'));
+  if (!line.empty()) queue.add_from(message.client, line);
+  line_begin_ += line.size() + 1;
+  if (line_begin_ < message.body.size()) return;
+  line_begin_ = 0;
+  ++next_;
 }
 
 }  // namespace texbrdf::lsp

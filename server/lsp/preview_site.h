@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <utility>
+#include <vector>
 
 #include "lsp/log.h"
 #include "lsp/message_queue.h"
@@ -20,13 +21,19 @@ class PreviewSite {
 
   /// The session can tell browsers things from then on. The site has to stay where it is, and outlive what it is told.
   void connect(Session& session, Log& log);
-  /// Takes in what has happened, unless much waits already.
+  /// Takes in what has happened, as long as little waits.
   void receive(MessageQueue& queue, Session& session);
 
  private:
   explicit PreviewSite(web::EventServer server) : server_(std::move(server)) {}
 
+  void take_in(const web::Happening& happening, MessageQueue& queue, Session& session);
+  void take_line(const web::Message& message, MessageQueue& queue);
+
   web::EventServer server_;
+  std::vector<web::Happening> happenings_;  ///< the last that were taken
+  std::size_t next_ = 0;                    ///< of them
+  std::size_t line_begin_ = 0;              ///< in the next one, if it is a message
 };
 
 }  // namespace texbrdf::lsp

@@ -233,6 +233,10 @@ def check_what_browsers_may_not(browser):
     fetch(browser.url, f"messages/{browser.client}", "POST", {"Content-Type": "application/json"}, "{\n\n[]\n")
     assert browser.wait(lambda message: "error" in message and message["id"] is None)["error"]["code"] == -32700
     assert browser.request("texbrdf/roots", {"uri": URI})["root"] == "f"
+    count = 500
+    browser.post(*({"id": f"many {i}", "method": "texbrdf/roots", "params": {"uri": URI}} for i in range(count)))
+    for i in range(count):
+        assert browser.wait(lambda message: isinstance(message.get("id"), str))["id"] == f"many {i}", "answers come in the order of the questions"
 
 
 def check_command(editor, url):
