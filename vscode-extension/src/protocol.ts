@@ -112,15 +112,92 @@ export interface Roots {
   candidates: string[];
 }
 
+/** A number; as a word where JSON has none. */
+export type Value = number | 'nan' | 'inf' | '-inf';
+
+/** What a value of the drawn BRDF is made of: has no arguments. */
+export interface Definition {
+  /** Canonical: what requests call it. */
+  name: string;
+  /** As the document writes it. */
+  label: string;
+  type: 'real' | 'colour' | 'vector';
+}
+
+/** Of the picture: 0 to 1, from the top left. */
+export interface Point {
+  x: number;
+  y: number;
+}
+
+export interface ProbeParams extends Point {
+  preview: number;
+  /** Whose value is asked for too. */
+  definition?: string;
+}
+
+/** Degrees in the tangent frame of a point. */
+export interface Direction {
+  theta: number;
+  phi: number;
+}
+
+export interface Probed {
+  light: Direction;
+  view: Direction;
+  /** Null where the point is not lit. */
+  value: Value[] | null;
+  definition?: { name: string; type: Definition['type']; value: Value[] };
+}
+
+export interface Location {
+  uri: string;
+  range: Range;
+}
+
+export interface FirstBadPixel extends Point {
+  kind: keyof BadPixels;
+  definition: string;
+  label: string;
+  location: Location;
+}
+
+export interface BadPixelsFound extends BadPixels {
+  first: FirstBadPixel | null;
+}
+
+export interface PlotParams {
+  preview: number;
+  kind: 'polar' | 'cartesian';
+}
+
+export interface Plot {
+  light: { theta: number };
+  /** Degrees of the viewer in the plane of incidence, positive on the side away from the light. */
+  angles: number[];
+  /** A list for each channel, one or three. */
+  values: Value[][];
+  /** Whether values are times cos θ_o. */
+  cosine: boolean;
+}
+
 export type Target = 'glsl' | 'disney';
 
 export interface EmitParams extends RootParams {
   target: Target;
 }
 
+/** A definition with lines of its own in generated code. */
+export interface Place extends Location {
+  name: string;
+  /** The first and the last, counted from 0. */
+  lines: [number, number];
+}
+
 export interface Emitted {
   text: string | null;
   problem?: string;
+  places?: Place[];
 }
 
 /** What a request carries and what answers it, by its method. */
@@ -129,6 +206,10 @@ export interface Requests {
   'texbrdf/parameters': [RootParams, Parameter[]];
   'texbrdf/parameterEdit': [ParameterEditParams, WorkspaceEdit];
   'texbrdf/roots': [{ uri: string }, Roots];
+  'texbrdf/definitions': [RootParams, Definition[]];
+  'texbrdf/probe': [ProbeParams, Probed | null];
+  'texbrdf/badPixels': [PreviewParams, BadPixelsFound];
+  'texbrdf/plot': [PlotParams, Plot];
   'texbrdf/emit': [EmitParams, Emitted | null];
 }
 
@@ -159,6 +240,10 @@ export class Api {
   parameters = (params: RootParams) => this.connection.request('texbrdf/parameters', params);
   parameterEdit = (params: ParameterEditParams) => this.connection.request('texbrdf/parameterEdit', params);
   roots = (uri: string) => this.connection.request('texbrdf/roots', { uri });
+  definitions = (params: RootParams) => this.connection.request('texbrdf/definitions', params);
+  probe = (params: ProbeParams) => this.connection.request('texbrdf/probe', params);
+  badPixels = (preview: number) => this.connection.request('texbrdf/badPixels', { preview });
+  plot = (params: PlotParams) => this.connection.request('texbrdf/plot', params);
   emit = (params: EmitParams) => this.connection.request('texbrdf/emit', params);
 
   updatePreview = (params: UpdatePreviewParams) => { this.connection.notify('texbrdf/updatePreview', params); };

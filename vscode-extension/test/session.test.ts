@@ -1,15 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { Fake, frame, look, real } from './fake_server';
-
-async function opened(parameters = [real('m', 0.25)]): Promise<Fake> {
-  const fake = new Fake();
-  fake.parameters = parameters;
-  await fake.show('a.tex');
-  await fake.session.pageSays({ type: 'ready' });
-  await fake.session.pageSays({ type: 'size', side: 512 });
-  return fake;
-}
+import { Fake, frame, look, opened, real } from './fake_server';
 
 test('a preview is opened with the size and the look of the page', async () => {
   const fake = new Fake();
@@ -140,7 +131,7 @@ test('errors leave the sliders where they are', async () => {
 });
 
 test('reset brings back the values that were seen first, all in one step', async () => {
-  const fake = await opened([real('m', 0.25), real('k', 0.5)]);
+  const fake = await opened({ parameters: [real('m', 0.25), real('k', 0.5)] });
   fake.parameters = [real('m', 0.75), real('k', 1)];
   fake.session.documentChanged('file:///a.tex', 2);
   await new Promise((resolve) => setTimeout(resolve, 100));
@@ -164,6 +155,8 @@ test('another root is drawn, and its parameters are asked for', async () => {
   const fake = await opened();
   await fake.session.pageSays({ type: 'root', root: 'g' });
   assert.deepEqual(fake.toldOf('texbrdf/updatePreview'), [{ preview: 1, root: 'g' }]);
-  assert.deepEqual(fake.asked.at(-1), ['texbrdf/parameters', { uri: 'file:///a.tex', root: 'g' }]);
+  for (const method of ['texbrdf/parameters', 'texbrdf/definitions'] as const) {
+    assert.deepEqual(fake.askedOf(method).at(-1), { uri: 'file:///a.tex', root: 'g' });
+  }
   assert.equal(fake.ofType('document').at(-1)?.root, 'g');
 });

@@ -1,7 +1,8 @@
 // What the preview's page and the extension tell each other.
-import type { BadPixels, Light, Look, Parameter } from '../protocol';
+import type { BadPixels, Definition, Direction, FirstBadPixel, Light, Look, Parameter, Plot, Point, Probed, Value } from '../protocol';
+import type { Memory } from './memory';
 
-export type { BadPixels, Light, Look, Parameter };
+export type { BadPixels, Definition, Direction, FirstBadPixel, Light, Look, Memory, Parameter, Plot, Point, Probed, Value };
 
 export interface Picture {
   version: number;
@@ -20,7 +21,12 @@ export type ToPage =
   | { type: 'look'; look: Look; standard: Look }
   | { type: 'picture'; picture: Picture }
   | { type: 'state'; state: 'good' | 'errors' | 'none'; message: string }
-  | { type: 'parameters'; parameters: Parameter[] };
+  | { type: 'parameters'; parameters: Parameter[] }
+  | { type: 'definitions'; definitions: Definition[]; chosen: string | null }
+  | { type: 'probed'; readout: Probed | null }
+  | { type: 'plot'; plot: Plot }
+  | { type: 'badPixel'; pixel: FirstBadPixel }
+  | { type: 'remember'; memory: Memory };
 
 export type FromPage =
   | { type: 'ready' }
@@ -32,4 +38,8 @@ export type FromPage =
   | { type: 'write'; name: string; value: number[] }
   | { type: 'reset'; names: string[] }
   | { type: 'reveal'; name: string }
+  | { type: 'probe'; point: Point | null }
+  | { type: 'definition'; name: string | null }
+  | { type: 'plots'; shown: boolean }
+  | { type: 'showBad' }
   | { type: 'saveImage' };

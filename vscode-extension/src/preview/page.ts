@@ -46,16 +46,51 @@ function previewPage(parts: PageParts, policy: string, scriptAttributes: string)
     <button id="saveImage" title="Save this picture as PNG">Save image</button>
     <button id="copyImage" title="Copy this picture">Copy image</button>
   </header>
-  <main>
-    <div id="stage" tabindex="0" role="application" aria-describedby="keys"
-         aria-label="Sphere made of the BRDF. Arrow keys turn the light, plus and minus zoom, 0 resets.">
-      <img id="picture" alt="The BRDF on a lit sphere" draggable="false" hidden>
-      <img id="pinned" alt="The pinned picture" draggable="false" hidden>
-      <p id="notice" role="status"></p>
-    </div>
-    <p id="keys" class="hint">Drag or arrow keys: light · wheel or + −: zoom · double click or 0: reset</p>
-  </main>
-  <output id="status" aria-live="off"></output>
+  <div id="views">
+    <main>
+      <div id="stage" tabindex="0" role="application" aria-describedby="keys"
+           aria-label="Sphere made of the BRDF. Arrow keys turn the light, plus and minus zoom, 0 resets; W, A, S, D move the point that is read out.">
+        <img id="picture" alt="The BRDF on a lit sphere" draggable="false" hidden>
+        <img id="pinned" alt="The pinned picture" draggable="false" hidden>
+        <svg id="marks" viewBox="0 0 1 1" aria-hidden="true">
+          <circle id="probeMark" class="mark" r="0.012" visibility="hidden" />
+          <circle id="badMark" class="mark bad" r="0.03" visibility="hidden" />
+        </svg>
+        <p id="notice" role="status"></p>
+      </div>
+      <p id="keys" class="hint">Drag, arrow keys: light · wheel, + −: zoom · double click, 0: reset · point, W A S D: values</p>
+      <div id="readout">
+        <output id="readoutDirections" aria-label="Directions at the point"></output>
+        <div>
+          <output id="readoutValue" aria-label="Value of the BRDF"></output>
+          <label id="definitionChoice" hidden>· <select id="definition" title="A definition whose value is shown too"></select></label>
+          <output id="readoutDefinition" aria-label="Value of the chosen definition"></output>
+        </div>
+      </div>
+    </main>
+    <details id="plots" open>
+      <summary>Plots in the plane of incidence</summary>
+      <div id="plotControls">
+        <label>scale <select id="plotScale"><option>linear</option><option>log</option></select></label>
+        <span id="channels" role="group" aria-label="Channels">
+          <label class="check red"><input id="red" type="checkbox" checked> R</label>
+          <label class="check green"><input id="green" type="checkbox" checked> G</label>
+          <label class="check blue"><input id="blue" type="checkbox" checked> B</label>
+        </span>
+        <label>θₒ <input id="cursor" type="range" min="-90" max="90" step="0.5" value="0"></label>
+      </div>
+      <div id="figures">
+        <svg id="polar" class="plot" role="img"></svg>
+        <svg id="cartesian" class="plot" role="img"></svg>
+      </div>
+      <output id="cursorValue" aria-label="Values at the cursor"></output>
+      <output id="pinnedValue" aria-label="Pinned values at the cursor" hidden></output>
+    </details>
+  </div>
+  <div id="statusLine">
+    <output id="status" aria-live="off"></output>
+    <button id="showBad" title="Go to the definition that first makes a pixel bad, and mark the pixel" hidden>Show where</button>
+  </div>
   <section id="look" aria-label="Picture">
     <label>Exposure <input id="exposure" type="range" min="-8" max="8" step="0.01"><output id="exposureValue"></output></label>
     <label>Gamma <input id="gamma" type="range" min="1" max="4" step="0.01"><output id="gammaValue"></output></label>

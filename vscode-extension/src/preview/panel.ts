@@ -3,22 +3,27 @@ import { randomBytes } from 'node:crypto';
 import * as path from 'node:path';
 import * as vscode from 'vscode';
 import { activeDocument, findDocument } from '../documents';
-import type { Api, Parameter } from '../protocol';
+import type { Api, Location, Look } from '../protocol';
 import { rootsOf } from '../roots';
 import type { ServerProcess } from '../server_process';
 import type { TextChange } from '../text_changes';
+import { wordsOf } from '../words_of';
+import { memoryFrom } from './memory';
 import type { FromPage, ToPage } from './messages';
 import { webviewPage } from './page';
 import { Session } from './session';
 import { standardLook } from './standard_look';
 
-export class PreviewPanel implements vscode.Disposable {
+const viewType = 'texbrdf.preview';
+
+export class PreviewPanel implements vscode.WebviewPanelSerializer, vscode.Disposable {
   private panel: vscode.WebviewPanel | undefined;
   private session: Session | undefined;
   private readonly subscriptions: vscode.Disposable[];
 
   constructor(private readonly context: vscode.ExtensionContext, private readonly server: ServerProcess, private readonly api: Api) {
     this.subscriptions = [
+      vscode.window.registerWebviewPanelSerializer(viewType, this),
       server.onFrame((frame) => this.session?.frameArrived(frame)),
       server.onPreviewState((state) => this.session?.stateArrived(state)),
       this.reopenAfterRestart(),
@@ -39,17 +44,36 @@ export class PreviewPanel implements vscode.Disposable {
     vscode.Disposable.from(...this.subscriptions).dispose();
   }
 
+  /** The tab of a window that is loaded again. */
+  async deserializeWebviewPanel(panel: vscode.WebviewPanel, kept: unknown): Promise<void> {
+    const memory = memoryFrom((kept as { session?: unknown } | undefined)?.session);
+    if (memory === undefined || this.panel !== undefined) {
+      panel.dispose();
+      return;
+    }
+    const session = this.adopt(panel, memory.look);
+    try {
+      const document = await vscode.workspace.openTextDocument(vscode.Uri.parse(memory.uri));
+      if (this.session === session && session.uri === undefined) await this.show(document, memory.root);
+    } catch (error) {
+      report(wordsOf(error));
+    }
+  }
+
   private create(column: vscode.ViewColumn): void {
+    this.adopt(vscode.window.createWebviewPanel(viewType, 'BRDF preview', { viewColumn: column, preserveFocus: true }));
+  }
+
+  private adopt(panel: vscode.WebviewPanel, look?: Look): Session {
     const dist = vscode.Uri.joinPath(this.context.extensionUri, 'dist');
     const media = vscode.Uri.joinPath(this.context.extensionUri, 'media');
-    const panel = vscode.window.createWebviewPanel('texbrdf.preview', 'BRDF preview', { viewColumn: column, preserveFocus: true },
-      { enableScripts: true, localResourceRoots: [dist, media] });
+    panel.webview.options = { enableScripts: true, localResourceRoots: [dist, media] };
     const session = new Session({
       api: this.api,
       post: (message: ToPage) => void panel.webview.postMessage(message),
       roots: (uri) => rootsOf(this.server, this.api, uri),
       apply, reveal, saveImage, report, standardLook,
-    });
+    }, look);
     panel.iconPath = vscode.Uri.joinPath(media, 'sphere.svg');
     panel.webview.onDidReceiveMessage((message: FromPage) => void session.pageSays(message));
     panel.onDidChangeViewState(() => { if (!panel.visible) session.pageLost(); });
@@ -66,6 +90,7 @@ export class PreviewPanel implements vscode.Disposable {
     });
     this.panel = panel;
     this.session = session;
+    return session;
   }
 
   private async show(document: vscode.TextDocument, root: string | undefined): Promise<void> {
@@ -102,14 +127,14 @@ async function apply(changes: TextChange[]): Promise<boolean> {
   return vscode.workspace.applyEdit(whole);
 }
 
-async function revealIn(uri: string, { range: { start, end } }: Parameter): Promise<void> {
+async function show({ uri, range: { start, end } }: Location): Promise<void> {
   const editor = await vscode.window.showTextDocument(vscode.Uri.parse(uri), { viewColumn: columnOf(uri) });
   editor.selection = new vscode.Selection(start.line, start.character, end.line, end.character);
   editor.revealRange(editor.selection, vscode.TextEditorRevealType.InCenterIfOutsideViewport);
 }
 
-function reveal(uri: string, parameter: Parameter): void {
-  void revealIn(uri, parameter);
+function reveal(location: Location): void {
+  show(location).catch((error: unknown) => { report(wordsOf(error)); });
 }
 
 function columnOf(uri: string): vscode.ViewColumn {
@@ -127,7 +152,7 @@ async function save(png: string, name: string): Promise<void> {
 }
 
 function saveImage(png: string, name: string): void {
-  save(png, name).catch((error: unknown) => { report(String(error)); });
+  save(png, name).catch((error: unknown) => { report(wordsOf(error)); });
 }
 
 function report(problem: string): void {

@@ -1,10 +1,16 @@
 // A preview of one document after the other: keeps the server and the page of right account of each other. Knows nothing of VS Code.
 import { Debounce } from '../debounce';
 import { largestSide, smallestSide } from '../protocol';
-import type { Api, FrameParams, Look, Parameter, PreviewStateParams, Roots } from '../protocol';
-import { textChanges } from '../text_changes';
+import type { Api, FrameParams, Location, Look, PreviewStateParams, Roots } from '../protocol';
 import type { TextChange } from '../text_changes';
+import { wordsOf } from '../words_of';
+import { showBadPixel } from './bad_pixels';
 import type { FromPage, ToPage } from './messages';
+import { Parameters } from './parameters';
+import { Pictures } from './pictures';
+import { Plots } from './plots';
+import { Readout } from './readout';
+import type { ShownPreview } from './shown_preview';
 
 export interface Subject {
   uri: string;
@@ -19,14 +25,15 @@ export interface Surroundings {
   post: (message: ToPage) => void;
   /** One step that can be undone; false where the document has changed since. */
   apply: (changes: TextChange[]) => Promise<boolean>;
-  reveal: (uri: string, parameter: Parameter) => void;
+  reveal: (location: Location) => void;
   saveImage: (png: string, name: string) => void;
   roots: (uri: string) => Promise<Roots>;
   report: (problem: string) => void;
   standardLook: () => Look;
 }
 
-const parametersAfter = 40; // ms of quiet
+const documentAfter = 40; // ms of quiet
+const rememberAfter = 200;
 
 export class Session {
   private subject: Subject | undefined;
@@ -37,17 +44,22 @@ export class Session {
   /** Grows with each document, so that answers about an earlier one are known. */
   private turn = 0;
   private pageReady = false;
-  private frame: FrameParams | undefined;
-  private unacknowledged = false;
-  private state: PreviewStateParams | undefined;
-  private parameters: Parameter[] = [];
   private roots: Roots = { root: null, candidates: [] };
-  /** The values with which the parameters were first seen: what reset brings back. By document and name. */
-  private readonly first = new Map<string, number[]>();
-  private readonly soon = new Debounce(parametersAfter);
+  private readonly shown: ShownPreview;
+  private readonly pictures: Pictures;
+  private readonly parameters: Parameters;
+  private readonly readout: Readout;
+  private readonly plots: Plots;
+  private readonly soon = new Debounce(documentAfter);
+  private readonly later = new Debounce(rememberAfter);
 
-  constructor(private readonly around: Surroundings) {
-    this.look = around.standardLook();
+  constructor(private readonly around: Surroundings, look?: Look) {
+    this.look = look ?? around.standardLook();
+    this.shown = { api: around.api, post: around.post, id: () => this.preview };
+    this.pictures = new Pictures(this.shown);
+    this.parameters = new Parameters(this.shown, { uri: () => this.uri, apply: around.apply, report: around.report });
+    this.readout = new Readout(this.shown);
+    this.plots = new Plots(this.shown);
   }
 
   get uri(): string | undefined {
@@ -57,9 +69,10 @@ export class Session {
   async show(subject: Subject): Promise<void> {
     this.close();
     this.subject = subject;
-    this.parameters = [];
+    this.parameters.forget();
     this.roots = { root: null, candidates: [] };
     this.postDocument();
+    this.remember();
     await this.open();
   }
 
@@ -72,6 +85,7 @@ export class Session {
   close(): void {
     if (this.preview !== undefined) this.around.api.closePreview(this.preview);
     this.soon.cancel();
+    this.later.cancel();
     this.forgetPreview();
   }
 
@@ -86,41 +100,45 @@ export class Session {
     if (this.subject?.uri !== uri) return;
     this.subject = { ...this.subject, version };
     this.around.post({ type: 'version', version });
-    this.soon.run(() => { void this.refreshDocument(); });
+    this.refreshSoon();
   }
 
   frameArrived(frame: FrameParams): void {
     if (frame.preview !== this.preview) return;
-    this.frame = frame;
-    this.unacknowledged = true;
-    if (frame.current && this.state !== undefined && frame.version > this.state.version) this.stateArrived({ ...this.state, state: 'good', message: '' });
-    if (this.pageReady) this.postFrame(frame);
+    if (this.pictures.frameArrived(frame)) this.refreshSoon();
+    if (!this.pageReady) return;
+    this.pictures.post();
+    this.readout.refresh();
+    this.plots.refresh();
   }
 
   stateArrived(state: PreviewStateParams): void {
-    if (state.preview !== this.preview) return;
-    if (this.state?.state === 'errors' && state.state === 'good') this.soon.run(() => { void this.refreshDocument(); });
-    this.state = state;
-    this.around.post({ type: 'state', state: state.state, message: state.message });
+    if (state.preview === this.preview && this.pictures.stateArrived(state)) this.refreshSoon();
   }
 
   /** The page is gone, as when its tab is hidden. What it did not show stays unacknowledged: nothing is drawn for nobody. */
   pageLost(): void {
     this.pageReady = false;
+    this.readout.pointAt(undefined);
+    this.plots.show(false);
   }
 
   async pageSays(message: FromPage): Promise<void> {
     switch (message.type) {
       case 'ready': this.greetPage(); break;
-      case 'shown': this.acknowledge(); break;
+      case 'shown': this.pictures.acknowledge(); break;
       case 'size': await this.resize(message.side); break;
       case 'look': this.changeLook(message.change); break;
       case 'root': await this.chooseRoot(message.root); break;
-      case 'set': this.setParameter(message.name, message.value); break;
-      case 'write': await this.write([{ name: message.name, value: message.value }]); break;
-      case 'reset': await this.write(this.firstValues(message.names)); break;
-      case 'reveal': this.reveal(message.name); break;
-      case 'saveImage': if (this.frame !== undefined) this.around.saveImage(this.frame.png, this.subject?.name ?? ''); break;
+      case 'set': this.parameters.set(message.name, message.value); break;
+      case 'write': await this.written(this.parameters.write([{ name: message.name, value: message.value }])); break;
+      case 'reset': await this.written(this.parameters.reset(message.names)); break;
+      case 'reveal': this.revealParameter(message.name); break;
+      case 'probe': this.readout.pointAt(message.point ?? undefined); break;
+      case 'definition': this.readout.choose(message.name ?? undefined); break;
+      case 'plots': this.plots.show(message.shown); break;
+      case 'showBad': await showBadPixel(this.shown, this.around); break;
+      case 'saveImage': if (this.pictures.png !== undefined) this.around.saveImage(this.pictures.png, this.subject?.name ?? ''); break;
     }
   }
 
@@ -135,7 +153,7 @@ export class Session {
       if (turn === this.turn) this.preview = preview;
       else this.around.api.closePreview(preview);
     } catch (error) {
-      this.around.post({ type: 'state', state: 'none', message: error instanceof Error ? error.message : String(error) });
+      this.around.post({ type: 'state', state: 'none', message: wordsOf(error) });
       return;
     }
     if (turn === this.turn) await this.refreshDocument();
@@ -148,18 +166,20 @@ export class Session {
   private forgetPreview(): void {
     ++this.turn;
     this.preview = undefined;
-    this.frame = undefined;
-    this.state = undefined;
-    this.unacknowledged = false;
+    this.pictures.forget();
+    this.readout.forget();
+    this.plots.forget();
   }
 
   private greetPage(): void {
     this.pageReady = true;
     this.postDocument();
     this.around.post({ type: 'look', look: this.look, standard: this.around.standardLook() });
-    this.around.post({ type: 'parameters', parameters: this.parameters });
-    if (this.state !== undefined) this.around.post({ type: 'state', state: this.state.state, message: this.state.message });
-    if (this.frame !== undefined) this.postFrame(this.frame);
+    this.parameters.post();
+    this.readout.postDefinitions();
+    this.remember();
+    this.pictures.postState();
+    this.pictures.post();
   }
 
   private postDocument(): void {
@@ -167,17 +187,6 @@ export class Session {
     if (subject === undefined) return;
     const root = subject.root ?? this.roots.root;
     this.around.post({ type: 'document', name: subject.name, version: subject.version, roots: this.roots.candidates, root });
-  }
-
-  private postFrame(frame: FrameParams): void {
-    const { version, source, width, height, png, milliseconds, badPixels, current } = frame;
-    this.around.post({ type: 'picture', picture: { version, source, width, height, png, milliseconds, badPixels, current } });
-  }
-
-  private acknowledge(): void {
-    if (!this.unacknowledged || this.preview === undefined) return;
-    this.unacknowledged = false;
-    this.around.api.frameShown(this.preview);
   }
 
   private async resize(side: number): Promise<void> {
@@ -192,6 +201,7 @@ export class Session {
   private changeLook(change: Partial<Look>): void {
     this.look = { ...this.look, ...change };
     this.update(change);
+    this.remember();
   }
 
   private update(change: Partial<Look> & { width?: number; height?: number; root?: string }): void {
@@ -202,70 +212,45 @@ export class Session {
     if (this.subject === undefined) return;
     this.subject = { ...this.subject, root };
     this.update({ root });
+    this.remember();
     await this.refreshDocument();
+  }
+
+  private refreshSoon(): void {
+    this.soon.run(() => { void this.refreshDocument(); });
   }
 
   private async refreshDocument(): Promise<void> {
     const { subject, turn } = this;
     if (subject === undefined) return;
-    const [parameters, roots] = await Promise.all([
-      this.around.api.parameters({ uri: subject.uri, ...this.rootOption() }).catch(() => undefined),
+    const model = { uri: subject.uri, ...this.rootOption() };
+    const [parameters, definitions, roots] = await Promise.all([
+      this.around.api.parameters(model).catch(() => undefined),
+      this.around.api.definitions(model).catch(() => undefined),
       this.around.roots(subject.uri),
     ]);
     if (turn !== this.turn) return;
     this.roots = roots;
     this.postDocument();
     // With errors some may be missing; controls that come and go at each key would be in the way.
-    const isBroken = this.state?.state === 'errors' && this.parameters.length > 0;
-    if (parameters === undefined || isBroken) return;
-    this.parameters = parameters;
-    for (const { name, value } of parameters) if (!this.first.has(this.key(name))) this.first.set(this.key(name), value);
-    this.around.post({ type: 'parameters', parameters });
+    if (this.pictures.hasErrors && !this.parameters.isEmpty) return;
+    if (parameters !== undefined) this.parameters.show(parameters);
+    if (definitions !== undefined) this.readout.setDefinitions(definitions);
   }
 
-  private setParameter(name: string, value: number[] | null): void {
-    if (this.preview !== undefined) this.around.api.setParameter({ preview: this.preview, name, value });
+  private async written(isWritten: Promise<boolean>): Promise<void> {
+    if (!await isWritten) await this.refreshDocument();
   }
 
-  private key(name: string): string {
-    return `${this.subject?.uri ?? ''}\n${name}`;
+  private revealParameter(name: string): void {
+    const parameter = this.parameters.find(name);
+    if (parameter !== undefined && this.subject !== undefined) this.around.reveal({ uri: this.subject.uri, range: parameter.range });
   }
 
-  private firstValues(names: string[]): Assignment[] {
-    return names.flatMap((name) => {
-      const value = this.first.get(this.key(name));
-      return value === undefined ? [] : [{ name, value }];
+  /** For a window that is loaded again. */
+  private remember(): void {
+    this.later.run(() => {
+      if (this.subject !== undefined) this.around.post({ type: 'remember', memory: { uri: this.subject.uri, ...this.rootOption(), look: this.look } });
     });
   }
-
-  /** Writes the values into the document; only then the pictures follow the document again. */
-  private async write(assignments: Assignment[]): Promise<void> {
-    const uri = this.subject?.uri;
-    if (uri === undefined) return;
-    if (!await this.tryToWrite(uri, assignments) && !await this.tryToWrite(uri, assignments)) {
-      this.around.report('The document changed meanwhile: the value was not written.');
-      await this.refreshDocument();
-    }
-    for (const { name } of assignments) this.setParameter(name, null);
-  }
-
-  private async tryToWrite(uri: string, assignments: Assignment[]): Promise<boolean> {
-    try {
-      const edits = await Promise.all(assignments.map(({ name, value }) => this.around.api.parameterEdit({ uri, name, value })));
-      const changes = textChanges(edits);
-      return changes.length === 0 || await this.around.apply(changes);
-    } catch {
-      return false;
-    }
-  }
-
-  private reveal(name: string): void {
-    const parameter = this.parameters.find((candidate) => candidate.name === name);
-    if (parameter !== undefined && this.subject !== undefined) this.around.reveal(this.subject.uri, parameter);
-  }
-}
-
-interface Assignment {
-  name: string;
-  value: number[];
 }

@@ -1,9 +1,11 @@
 // How the sphere looks: light and zoom by pointer and keys, the rest by controls.
 import type { Look } from '../messages';
+import { unmarkBadPixel } from './bad_pixels';
 import { element, oncePerFrame, tell } from './host';
 import { nudged, onSphere, turned } from './light';
 import type { Vector } from './light';
 import { clamped } from './numbers';
+import { pictureBox } from './picture_box';
 
 const sphereOfPicture = 0.9;
 const smallestZoom = 0.25;
@@ -14,7 +16,6 @@ const degreesPerKey = 5;
 const degreesPerFineKey = 1;
 
 const stage = element('stage');
-const image = element<HTMLImageElement>('picture');
 const sliders = { exposure: element<HTMLInputElement>('exposure'), gamma: element<HTMLInputElement>('gamma') };
 const cosine = element<HTMLInputElement>('cosine');
 
@@ -52,6 +53,7 @@ function change(part: Partial<Look>): void {
   if (look === undefined) return;
   look = { ...look, ...part };
   Object.assign(waiting, part);
+  unmarkBadPixel();
   refreshControls();
   send(undefined);
 }
@@ -75,9 +77,9 @@ function zoomBy(factor: number): void {
 
 /** The point of the sphere below the pointer. */
 function pointOf(event: PointerEvent): Vector {
-  const box = (image.hidden ? stage : image).getBoundingClientRect();
-  const radius = Math.min(box.width, box.height) / 2 * sphereOfPicture * (look?.zoom ?? 1);
-  return onSphere((event.clientX - box.left - box.width / 2) / radius, (box.top + box.height / 2 - event.clientY) / radius);
+  const { centre, side } = pictureBox();
+  const radius = side / 2 * sphereOfPicture * (look?.zoom ?? 1);
+  return onSphere((event.clientX - centre.x) / radius, (centre.y - event.clientY) / radius);
 }
 
 function watchPointer(): void {

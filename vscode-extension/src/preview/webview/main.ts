@@ -1,9 +1,12 @@
 // The page of the preview: hands what arrives to what shows it.
 import type { ToPage } from '../messages';
-import { element, oncePerFrame, tell } from './host';
+import { markBadPixel, watchBadPixels } from './bad_pixels';
+import { element, keep, oncePerFrame, tell } from './host';
 import { showLook, watchLook } from './look';
 import { forgetPicture, pictureBlob, showPicture, showState, showVersion } from './picture';
 import { unpin, watchPin } from './pin';
+import { askForPlots, forgetPlot, nameRoot, showPlot, watchPlots } from './plots';
+import { clearReadout, showDefinitions, showReadout, showRoot, watchReadout } from './readout';
 import { showParameters, watchSliders } from './sliders';
 
 const rootChoice = element<HTMLSelectElement>('root');
@@ -13,12 +16,16 @@ function showDocument({ name, version, roots, root }: ToPage & { type: 'document
   if (name !== documentName) {
     forgetPicture();
     unpin();
+    clearReadout();
+    forgetPlot();
   }
   documentName = name;
   element('name').textContent = name;
   element('rootChoice').hidden = roots.length < 2;
   rootChoice.replaceChildren(...roots.map((candidate) => new Option(candidate, candidate, false, candidate === root)));
   showVersion(version);
+  showRoot(root);
+  nameRoot(root);
 }
 
 function receive(message: ToPage): void {
@@ -29,6 +36,11 @@ function receive(message: ToPage): void {
     case 'picture': void showPicture(message.picture); break;
     case 'state': showState(message.state, message.message); break;
     case 'parameters': showParameters(message.parameters); break;
+    case 'definitions': showDefinitions(message.definitions, message.chosen); break;
+    case 'probed': showReadout(message.readout); break;
+    case 'plot': showPlot(message.plot); break;
+    case 'badPixel': markBadPixel(message.pixel); break;
+    case 'remember': keep({ session: message.memory }); break;
   }
 }
 
@@ -57,5 +69,9 @@ element('copyImage').addEventListener('click', () => { copyImage().catch((error:
 watchLook();
 watchSliders();
 watchPin();
+watchReadout();
+watchPlots();
+watchBadPixels();
 watchSize();
 tell({ type: 'ready' });
+askForPlots();

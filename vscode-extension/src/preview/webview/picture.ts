@@ -1,5 +1,6 @@
 // The picture, its status line, and the mark where it is not of the present text.
 import type { Picture } from '../messages';
+import { countBadPixels, unmarkBadPixel } from './bad_pixels';
 import { element, tell } from './host';
 import { freshness, statusText } from './status_line';
 
@@ -18,11 +19,13 @@ export async function showPicture(picture: Picture): Promise<void> {
   await image.decode().catch(() => undefined);
   image.hidden = false;
   last = picture;
+  countBadPixels(picture.badPixels);
   refresh();
   requestAnimationFrame(() => { tell({ type: 'shown' }); });
 }
 
 export function showVersion(version: number): void {
+  if (version !== documentVersion) unmarkBadPixel();
   documentVersion = version;
   refresh();
 }
@@ -38,6 +41,7 @@ export function forgetPicture(): void {
   problem = '';
   image.hidden = true;
   image.removeAttribute('src');
+  countBadPixels({ nan: 0, infinite: 0, negative: 0 });
   refresh();
 }
 

@@ -1,5 +1,6 @@
-// A picture that is kept, to be compared with later ones: beside them, or over their left part.
+// A picture that is kept, to be compared with later ones: beside them, or over their left part; and its curves.
 import { element } from './host';
+import { pinPlot } from './plots';
 
 const stage = element('stage');
 const picture = element<HTMLImageElement>('picture');
@@ -20,6 +21,7 @@ export function watchPin(): void {
 export function unpin(): void {
   pinned.hidden = true;
   pinned.removeAttribute('src');
+  pinPlot(false);
   refresh();
 }
 
@@ -27,6 +29,7 @@ function pin(): void {
   if (picture.hidden) return;
   pinned.src = picture.src;
   pinned.hidden = false;
+  pinPlot(true);
   refresh();
 }
 

@@ -1,5 +1,6 @@
 // A control for each parameter. Moving it changes the picture only; letting it go writes the document.
 import type { Parameter } from '../messages';
+import { unmarkBadPixel } from './bad_pixels';
 import { pickedColour, pickerColour } from './colour';
 import { element, oncePerFrame, tell } from './host';
 import { clamped, rounded, shown, sliderStep } from './numbers';
@@ -70,6 +71,7 @@ function hold(row: Row): { move: (value: number[]) => void; release: (value: num
   return {
     move: (value) => {
       row.held = true;
+      unmarkBadPixel();
       row.show(value);
       set(value);
     },

@@ -1,0 +1,26 @@
+// From the first bad pixel to the definition that makes it bad.
+import type { Location } from '../protocol';
+import { wordsOf } from '../words_of';
+import type { ShownPreview } from './shown_preview';
+
+export interface Pointer {
+  reveal: (location: Location) => void;
+  report: (problem: string) => void;
+}
+
+export async function showBadPixel(shown: ShownPreview, { reveal, report }: Pointer): Promise<void> {
+  const preview = shown.id();
+  if (preview === undefined) return;
+  try {
+    const { first } = await shown.api.badPixels(preview);
+    if (preview !== shown.id()) return;
+    if (first === null) {
+      report('In double precision no pixel is bad: single precision is at fault.');
+      return;
+    }
+    shown.post({ type: 'badPixel', pixel: first });
+    reveal(first.location);
+  } catch (error) {
+    report(wordsOf(error));
+  }
+}

@@ -1,0 +1,145 @@
+// What a plot is drawn of: grid, labels, light, curves, cursor.
+import type { Plot, Point, Value } from '../messages';
+import { cartesianFrame, polarFrame } from './plot_frame';
+import type { PlotFrame, PlotSize } from './plot_frame';
+import { fractionOf, tickText } from './plot_scale';
+import type { Scale } from './plot_scale';
+
+export type Channel = 'red' | 'green' | 'blue' | 'grey';
+
+export interface Curve {
+  channel: Channel;
+  isPinned: boolean;
+  values: readonly Value[];
+}
+
+export interface Drawing {
+  curves: readonly Curve[];
+  angles: readonly number[];
+  /** The light's angle from the normal. */
+  light: number;
+  cursor: number;
+  scale: Scale;
+  /** What the values are. */
+  label: string;
+}
+
+export interface Shape {
+  tag: 'path' | 'circle' | 'text';
+  className: string;
+  attributes: Record<string, number | string>;
+  text?: string;
+}
+
+const shownAngles = [-90, -60, -30, 0, 30, 60, 90];
+
+export function curvesOf({ values }: Plot, isPinned: boolean, isShown: (channel: Channel) => boolean): Curve[] {
+  const channels: Channel[] = values.length === 1 ? ['grey'] : ['red', 'green', 'blue'];
+  return channels.flatMap((channel, index) => isShown(channel) ? [{ channel, isPinned, values: values[index] ?? [] }] : []);
+}
+
+export function cartesianShapes(drawing: Drawing, size: PlotSize): Shape[] {
+  const frame = cartesianFrame(size);
+  const { left, right, top, bottom } = frame;
+  const grid = drawing.scale.ticks.flatMap((tick) => {
+    const { y } = frame.at(0, fractionOf(drawing.scale, tick) ?? 0);
+    return [path('grid', `M${left} ${y}H${right}`), label(left - 4, y + 3, 'end', tickText(drawing.scale, tick))];
+  });
+  const angles = shownAngles.flatMap((angle) => {
+    const { x } = frame.at(angle, 0);
+    return [path('axis', `M${x} ${bottom}v4`), label(x, bottom + 14, 'middle', angleText(angle))];
+  });
+  return [
+    ...grid, ...angles, path('axis', `M${left} ${top}V${bottom}H${right}`),
+    label((left + right) / 2, bottom + 26, 'middle', 'θₒ'), label(left + 4, top + 4, 'start', drawing.label),
+    ...content(drawing, frame),
+  ];
+}
+
+export function polarShapes(drawing: Drawing, size: PlotSize): Shape[] {
+  const frame = polarFrame(size);
+  const { centre, radius } = frame;
+  const rings = drawing.scale.ticks.flatMap((tick) => {
+    const fraction = fractionOf(drawing.scale, tick) ?? 0;
+    if (fraction === 0) return [];
+    const r = fraction * radius;
+    return [path('grid', `M${centre.x - r} ${centre.y}A${r} ${r} 0 0 1 ${centre.x + r} ${centre.y}`),
+      label(centre.x + r, centre.y + 13, 'middle', tickText(drawing.scale, tick))];
+  });
+  const spokes = shownAngles.flatMap((angle) => {
+    const [end, beyond] = [frame.at(angle, 1), frame.at(angle, 1 + 10 / radius)];
+    const anchor = angle === 0 ? 'middle' : angle < 0 ? 'end' : 'start';
+    return [path('grid', `M${centre.x} ${centre.y}L${end.x} ${end.y}`), label(beyond.x, beyond.y + 3, anchor, angleText(angle))];
+  });
+  return [
+    ...rings, ...spokes, path('axis', `M${centre.x - radius} ${centre.y}H${centre.x + radius}`),
+    label(centre.x, centre.y + 26, 'middle', `${drawing.label} over θₒ`),
+    ...content(drawing, frame),
+  ];
+}
+
+/** Through the points that are there; a gap where one is not. One that stands alone is a dot. */
+export function pathThrough(points: readonly (Point | undefined)[]): string {
+  return points.map((point, index) => {
+    if (point === undefined) return '';
+    const place = `${rounded(point.x)} ${rounded(point.y)}`;
+    return points[index - 1] === undefined ? `M${place}L${place}` : `L${place}`;
+  }).join('');
+}
+
+/** The sample that is nearest to an angle. */
+export function sampleAt(angles: readonly number[], angle: number): number {
+  return angles.reduce((best, candidate, index) => Math.abs(candidate - angle) < Math.abs((angles[best] ?? Infinity) - angle) ? index : best, 0);
+}
+
+function content(drawing: Drawing, frame: PlotFrame): Shape[] {
+  const { angles, curves, scale } = drawing;
+  const place = (values: readonly Value[], index: number) => {
+    const fraction = fractionOf(scale, values[index] ?? 'nan');
+    return fraction === undefined ? undefined : frame.at(angles[index] ?? 0, fraction);
+  };
+  const cursor = sampleAt(angles, drawing.cursor);
+  const lines = curves.map(({ channel, isPinned, values }) =>
+    path(`curve ${channel}${isPinned ? ' pinned' : ''}`, pathThrough(angles.map((_, index) => place(values, index)))));
+  const dots = curves.flatMap(({ channel, values }) => {
+    const at = place(values, cursor);
+    return at === undefined ? [] : [circle(`dot ${channel}`, at, 2.5)];
+  });
+  return [...lightShapes(drawing.light, frame), ...lines, missing(drawing, frame), ray('cursor', drawing.cursor, frame), ...dots];
+}
+
+/** At the far edge, over the angles where a value is no number. */
+function missing({ angles, curves }: Drawing, frame: PlotFrame): Shape {
+  const isMissing = (index: number) => curves.some(({ isPinned, values }) => !isPinned && typeof values[index] === 'string');
+  const line = path('missing', pathThrough(angles.map((angle, index) => isMissing(index) ? frame.at(angle, 1) : undefined)));
+  return { ...line, text: 'not a number, or infinite' };
+}
+
+/** The light comes from the negative side; from below the surface there is none. */
+function lightShapes(theta: number, frame: PlotFrame): Shape[] {
+  return theta > 90 ? [] : [ray('light', -theta, frame), { ...circle('lamp', frame.at(-theta, 1), 4), text: 'light' }];
+}
+
+function ray(className: string, angle: number, frame: PlotFrame): Shape {
+  return path(className, pathThrough([frame.at(angle, 0), frame.at(angle, 1)]));
+}
+
+function path(className: string, d: string): Shape {
+  return { tag: 'path', className, attributes: { d } };
+}
+
+function circle(className: string, { x, y }: Point, r: number): Shape {
+  return { tag: 'circle', className, attributes: { cx: rounded(x), cy: rounded(y), r } };
+}
+
+function label(x: number, y: number, anchor: string, text: string): Shape {
+  return { tag: 'text', className: 'label', attributes: { x: rounded(x), y: rounded(y), 'text-anchor': anchor }, text };
+}
+
+function rounded(coordinate: number): number {
+  return Math.round(coordinate * 100) / 100;
+}
+
+function angleText(angle: number): string {
+  return `${angle}°`.replace('-', '−');
+}

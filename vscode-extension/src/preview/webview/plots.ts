@@ -1,0 +1,126 @@
+// The two plots: what is shown of them, the cursor that both share, and the curves of a pinned state.
+import type { Plot } from '../messages';
+import { element, keep, kept, oncePerFrame, tell } from './host';
+import { cartesianFrame, polarFrame } from './plot_frame';
+import type { PlotFrame, PlotSize } from './plot_frame';
+import { scaleFor } from './plot_scale';
+import type { ScaleKind } from './plot_scale';
+import { cartesianShapes, curvesOf, polarShapes } from './plot_shapes';
+import type { Channel, Drawing, Shape } from './plot_shapes';
+import { plotDescription, quantity, valuesAt } from './plot_words';
+import { drawShapes } from './svg';
+
+interface Figure {
+  svg: SVGElement;
+  kind: string;
+  frame: (size: PlotSize) => PlotFrame;
+  shapes: (drawing: Drawing, size: PlotSize) => Shape[];
+}
+
+const svgOf = (id: string) => document.getElementById(id) as unknown as SVGElement;
+const figures: Figure[] = [
+  { svg: svgOf('polar'), kind: 'Polar', frame: polarFrame, shapes: polarShapes },
+  { svg: svgOf('cartesian'), kind: 'Cartesian', frame: cartesianFrame, shapes: cartesianShapes },
+];
+const section = element<HTMLDetailsElement>('plots');
+const scale = element<HTMLSelectElement>('plotScale');
+const cursor = element<HTMLInputElement>('cursor');
+const channels: Channel[] = ['red', 'green', 'blue'];
+
+let current: Plot | undefined;
+let pinned: Plot | undefined;
+let root = 'f';
+
+const draw = oncePerFrame(() => { drawAll(); });
+
+export function watchPlots(): void {
+  recall();
+  section.addEventListener('toggle', () => {
+    keep({ plots: section.open });
+    tell({ type: 'plots', shown: section.open });
+  });
+  scale.addEventListener('change', () => {
+    keep({ scale: scale.value });
+    draw(undefined);
+  });
+  for (const channel of channels) element(channel).addEventListener('change', () => { draw(undefined); });
+  cursor.addEventListener('input', () => { draw(undefined); });
+  const resized = new ResizeObserver(() => { draw(undefined); });
+  for (const figure of figures) {
+    resized.observe(figure.svg);
+    figure.svg.addEventListener('pointermove', (event) => { follow(figure, event); });
+  }
+}
+
+/** To be said once the extension listens. */
+export function askForPlots(): void {
+  tell({ type: 'plots', shown: section.open });
+}
+
+export function showPlot(plot: Plot): void {
+  current = plot;
+  draw(undefined);
+}
+
+export function forgetPlot(): void {
+  current = undefined;
+  draw(undefined);
+}
+
+export function nameRoot(name: string | null): void {
+  root = name ?? 'f';
+  draw(undefined);
+}
+
+export function pinPlot(isPinned: boolean): void {
+  pinned = isPinned ? current : undefined;
+  draw(undefined);
+}
+
+function recall(): void {
+  const { plots, scale: chosen } = kept();
+  section.open = plots !== false;
+  if (chosen === 'log') scale.value = chosen;
+}
+
+function follow({ svg, frame }: Figure, event: PointerEvent): void {
+  const { left, top } = svg.getBoundingClientRect();
+  cursor.valueAsNumber = frame(sizeOf(svg)).angleAt({ x: event.clientX - left, y: event.clientY - top });
+  draw(undefined);
+}
+
+function drawAll(): void {
+  if (!section.open) return;
+  const isColour = (current?.values.length ?? 1) > 1 || (pinned?.values.length ?? 1) > 1;
+  element('channels').hidden = !isColour;
+  figures.forEach(drawFigure);
+  showValues('cursorValue', current, '');
+  showValues('pinnedValue', pinned, 'pinned: ');
+}
+
+function drawFigure({ svg, kind, shapes }: Figure): void {
+  const size = sizeOf(svg);
+  svg.setAttribute('viewBox', `0 0 ${size.width} ${size.height}`);
+  svg.setAttribute('aria-label', current === undefined ? `${kind} plot: nothing to draw` : plotDescription(kind, root, current));
+  drawShapes(svg, current === undefined ? [] : shapes(drawingOf(current), size));
+}
+
+function drawingOf(plot: Plot): Drawing {
+  const isShown = (channel: Channel) => channel === 'grey' || element<HTMLInputElement>(channel).checked;
+  const curves = [...pinned === undefined ? [] : curvesOf(pinned, true, isShown), ...curvesOf(plot, false, isShown)];
+  return {
+    curves, angles: plot.angles, light: plot.light.theta, cursor: cursor.valueAsNumber,
+    scale: scaleFor(scale.value as ScaleKind, curves.flatMap(({ values }) => values)), label: quantity(root, plot),
+  };
+}
+
+function showValues(id: string, plot: Plot | undefined, prefix: string): void {
+  const angle = cursor.valueAsNumber;
+  const output = element<HTMLOutputElement>(id);
+  output.textContent = plot === undefined ? '' : `${prefix}${angle.toFixed(1).replace('-', '−')}°: ${valuesAt(plot, angle)}`;
+  output.hidden = plot === undefined;
+}
+
+function sizeOf(svg: SVGElement): PlotSize {
+  return { width: svg.clientWidth, height: svg.clientHeight };
+}
