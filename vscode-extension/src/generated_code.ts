@@ -1,33 +1,56 @@
 // Generated code beside its document: read-only, and made anew while the document changes.
 import * as vscode from 'vscode';
 import { codeAddress, codeSource, shownCode } from './code_address';
+import { linkCode } from './code_links';
+import type { CodeDocuments } from './code_links';
 import { Debounce } from './debounce';
 import { activeDocument } from './documents';
-import type { Api, Target } from './protocol';
+import type { Api, Place, Target } from './protocol';
 import { pickRoot, rootsOf } from './roots';
 import type { ServerProcess } from './server_process';
+import { wordsOf } from './words_of';
 
 const scheme = 'texbrdf-code';
 const quietMilliseconds = 120;
 
-class GeneratedCode implements vscode.TextDocumentContentProvider {
+interface Made {
+  text: string;
+  places: readonly Place[];
+  /** Broken: the document has errors, the code is an earlier one. Outdated: it is being made anew. */
+  state: 'good' | 'broken' | 'outdated';
+}
+
+class GeneratedCode implements vscode.TextDocumentContentProvider, CodeDocuments {
   private readonly changed = new vscode.EventEmitter<vscode.Uri>();
+  private readonly wasMade = new vscode.EventEmitter<void>();
+  readonly scheme = scheme;
   readonly onDidChange = this.changed.event;
-  private readonly lastGood = new Map<string, string>();
+  readonly onDidMake = this.wasMade.event;
+  private readonly made = new Map<string, Made>();
   private readonly soon = new Debounce(quietMilliseconds);
 
   constructor(private readonly api: Api) {}
 
+  places = (code: vscode.Uri): readonly Place[] | undefined => {
+    const made = this.made.get(code.toString());
+    if (made === undefined || made.state === 'outdated') return undefined;
+    return made.state === 'good' ? made.places : [];
+  };
+
   async provideTextDocumentContent(uri: vscode.Uri): Promise<string> {
-    const answer = await this.api.emit(codeSource(uri.query)).catch((error: unknown) => ({ text: null, problem: String(error) }));
+    const answer = await this.api.emit(codeSource(uri.query)).catch((error: unknown) => ({ text: null, problem: wordsOf(error) }));
     const key = uri.toString();
-    if (answer?.text !== null && answer?.text !== undefined) this.lastGood.set(key, answer.text);
-    return shownCode(answer?.text, answer?.problem, this.lastGood.get(key));
+    const last = this.made.get(key);
+    if (answer?.text !== null && answer?.text !== undefined) this.made.set(key, { text: answer.text, places: normal(answer.places), state: 'good' });
+    else if (last !== undefined) this.made.set(key, { ...last, state: 'broken' });
+    setTimeout(() => { this.wasMade.fire(); }, 0); // The text is shown first.
+    return shownCode(answer?.text, answer?.problem, last?.text);
   }
 
   sourceChanged(source: string): void {
-    const shown = openCode().filter((uri) => codeSource(uri.query).uri === source);
-    if (shown.length > 0) this.soon.run(() => { shown.forEach((uri) => { this.changed.fire(uri); }); });
+    const shown = openCode().filter((uri) => this.isMadeOf(uri, source));
+    shown.forEach((uri) => { this.outdate(uri); });
+    if (shown.length > 0) this.soon.run(() => { openCode().filter((uri) => this.places(uri) === undefined).forEach((uri) => { this.changed.fire(uri); }); });
   }
 
   refreshAll(): void {
@@ -35,8 +58,23 @@ class GeneratedCode implements vscode.TextDocumentContentProvider {
   }
 
   forget(uri: vscode.Uri): void {
-    this.lastGood.delete(uri.toString());
+    this.made.delete(uri.toString());
   }
+
+  /** Also of what its document includes. */
+  private isMadeOf(uri: vscode.Uri, source: string): boolean {
+    return codeSource(uri.query).uri === source || (this.made.get(uri.toString())?.places.some((place) => place.uri === source) ?? false);
+  }
+
+  private outdate(uri: vscode.Uri): void {
+    const made = this.made.get(uri.toString());
+    if (made !== undefined) made.state = 'outdated';
+  }
+}
+
+/** With URIs as the editor writes them. */
+function normal(places: readonly Place[] = []): Place[] {
+  return places.map((place) => ({ ...place, uri: vscode.Uri.parse(place.uri).toString() }));
 }
 
 function openCode(): vscode.Uri[] {
@@ -47,6 +85,7 @@ export function showGeneratedCode(server: ServerProcess, api: Api): vscode.Dispo
   const code = new GeneratedCode(api);
   return vscode.Disposable.from(
     vscode.workspace.registerTextDocumentContentProvider(scheme, code),
+    linkCode(code),
     vscode.workspace.onDidChangeTextDocument(({ document }) => { code.sourceChanged(document.uri.toString()); }),
     vscode.workspace.onDidCloseTextDocument(({ uri }) => { if (uri.scheme === scheme) code.forget(uri); }),
     server.onStateChange(({ kind }) => { if (kind === 'ready') code.refreshAll(); }),
