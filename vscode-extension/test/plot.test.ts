@@ -83,6 +83,13 @@ test('the polar plot has the normal above, the light on the left', () => {
   assert.deepEqual(frame.at(0, 1), { x: centre.x, y: centre.y - radius });
 });
 
+test('labels of rings keep apart, the outermost stays', () => {
+  const labels = (width: number) => polarShapes(drawing(plot([[1e-4, 1e-3, 0.01, 0.1, 1]]), 'log'), { width, height: 400 })
+    .filter(({ tag, attributes }) => tag === 'text' && attributes['text-anchor'] === 'middle').map(({ text }) => text);
+  assert.deepEqual(labels(500).slice(0, 4), ['1', '0.1', '0.01', '10⁻³']);
+  assert.deepEqual(labels(180).slice(0, 2), ['1', '0.01']);
+});
+
 test('a light below the surface is not shown', () => {
   assert.deepEqual(ofClass(cartesianShapes({ ...drawing(grey), light: 120 }, size), 'lamp'), []);
 });
@@ -102,7 +109,7 @@ test('channels that are switched off are left out, pinned ones are dashed', () =
 
 test('where a value is no number there is a mark in place of the curve', () => {
   const marks = (shown: Plot) => ofClass(cartesianShapes(drawing(shown), size), 'missing').map(({ attributes }) => attributes.d);
-  assert.match(String(marks(grey)[0]), /^M[\d.]+ 10L[\d.]+ 10$/);
+  assert.match(String(marks(grey)[0]), /^M[\d.]+ 20L[\d.]+ 20$/);
   assert.deepEqual(marks(plot([[1, 1, 1, 1, 1]])), ['']);
 });
 

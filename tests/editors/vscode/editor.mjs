@@ -33,6 +33,16 @@ async function freePort() {
 
 export const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 
+/** Waits until what is read is as wanted, and gives it. */
+export async function waitUntil(read, isWanted) {
+  for (let tries = 0; ; ++tries) {
+    const found = await read();
+    if (isWanted(found)) return found;
+    if (tries === 100) throw new Error(`it stays ${found}`);
+    await pause(100);
+  }
+}
+
 export class Editor {
   /** Opens a copy of the workspace; screenshots and logs go to `out`. */
   static async start({ vsix, workspace, out }) {

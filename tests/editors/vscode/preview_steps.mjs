@@ -1,53 +1,6 @@
-// The preview beside the text: frames, the light, sliders, undo; and generated code.
+// The preview beside the text: frames, the light, sliders, undo.
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
-import { readFileSync } from 'node:fs';
-import path from 'node:path';
-
-const most = 2; // of 255, between a frame and `texbrdf render`
-
-/** What the pane shows once the editor's text has been drawn: its PNG and its status line. */
-async function frame(editor, source = 'GPU') {
-  const stage = editor.webview.locator('#stage[data-fresh="current"]');
-  await stage.waitFor();
-  await editor.webview.locator('#status', { hasText: source }).waitFor();
-  return editor.webview.locator('#picture').evaluate((image) => ({
-    png: image.src.split(',')[1], width: image.naturalWidth, height: image.naturalHeight, status: document.getElementById('status').textContent,
-  }));
-}
-
-/** The largest difference of a channel between two PNGs, each over black; decoded by the page itself. */
-async function difference(editor, one, other) {
-  return editor.webview.locator('body').evaluate(async (_, pictures) => {
-    const [a, b] = await Promise.all(pictures.map(async (png) => {
-      const image = new Image();
-      image.src = `data:image/png;base64,${png}`;
-      await image.decode();
-      const canvas = Object.assign(document.createElement('canvas'), { width: image.naturalWidth, height: image.naturalHeight });
-      const context = canvas.getContext('2d');
-      context.fillRect(0, 0, canvas.width, canvas.height);
-      context.drawImage(image, 0, 0);
-      return context.getImageData(0, 0, canvas.width, canvas.height).data;
-    }));
-    if (a.length !== b.length) return Infinity;
-    return a.reduce((worst, value, index) => Math.max(worst, Math.abs(value - b[index])), 0);
-  }, [one, other]);
-}
-
-function rendered(program, text, size, options = []) {
-  return execFileSync(program, ['render', '-', '-o', '-', '--size', `${size}`, ...options], { input: text }).toString('base64');
-}
-
-/** Waits for a frame that is the one that `texbrdf render` makes of the text. */
-async function waitForPicture(editor, program, options) {
-  for (let tries = 0; ; ++tries) {
-    const { png, width } = await frame(editor);
-    const apart = await difference(editor, png, rendered(program, await editor.source(), width, options));
-    if (apart <= most) return;
-    assert.ok(tries < 50, `the picture is ${apart}/255 away from texbrdf render`);
-    await editor.page.waitForTimeout(100);
-  }
-}
+import { difference, frame, waitForPicture } from './pictures.mjs';
 
 /** Milliseconds from a key to the picture of what it typed, as the page shows it; of the browser's driver too. */
 async function keyToPicture(editor, key) {
@@ -207,46 +160,6 @@ export const previewSteps = [
       await editor.webview.locator('#resetAll').click();
       await editor.waitForSource(/\\rho_d = \\vec\{0\.7, 0\.35, 0\.2\}[^]*p = 60 %/);
       await waitForPicture(editor, program);
-    },
-  },
-  {
-    name: 'generated code beside the text follows it',
-    run: async (editor) => {
-      await editor.click('range', exponent);
-      await editor.command('texbrdf: Show generated code');
-      await editor.pick('GLSL');
-      await editor.page.locator('.view-line', { hasText: 'const float p = 60.0;' }).waitFor();
-      await editor.select('60', exponent);
-      await editor.page.keyboard.type('33');
-      await editor.page.locator('.view-line', { hasText: 'const float p = 33.0;' }).waitFor();
-    },
-  },
-  {
-    name: 'export writes a file',
-    run: async (editor) => {
-      await editor.click('range', exponent);
-      await editor.command('texbrdf: Export');
-      await editor.pick('GLSL');
-      const name = editor.page.locator('.quick-input-widget input.input');
-      await editor.page.waitForFunction(() => document.querySelector('.quick-input-widget input.input')?.value.endsWith('paper.glsl'));
-      await name.press('Enter');
-      await editor.page.locator('.notification-toast', { hasText: 'texbrdf wrote paper.glsl' }).waitFor();
-      assert.match(readFileSync(path.join(editor.workspace, 'paper.glsl'), 'utf8'), /const float p = 33\.0;/);
-    },
-  },
-  {
-    name: 'the example of the walkthrough is drawn',
-    run: async (editor) => {
-      await editor.click('range', exponent);
-      await editor.command('Welcome: Open Walkthrough');
-      await editor.pick('From an equation to a sphere');
-      await editor.page.locator('.getting-started-step', { hasText: 'Make a mistake' }).first().waitFor();
-      await editor.screenshot('walkthrough');
-      await editor.page.locator('.getting-started-step').getByText('Open an example').last().click();
-      await editor.page.locator('.tab.active', { hasText: 'Untitled-1' }).waitFor();
-      await editor.page.locator('.editor-group-container.active .editor-actions a[aria-label^="Open preview to the side"]').click();
-      await editor.webview.locator('#name', { hasText: 'Untitled-1' }).waitFor();
-      await frame(editor);
     },
   },
 ];

@@ -3,9 +3,12 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, rmSync } from 'node:fs';
 import path from 'node:path';
+import { codeSteps } from './code_steps.mjs';
 import { Editor, serverMain } from './editor.mjs';
 import { previewSteps } from './preview_steps.mjs';
 import { textSteps } from './text_steps.mjs';
+import { valueSteps } from './values_steps.mjs';
+import { windowSteps } from './window_steps.mjs';
 
 const [program, out] = process.argv.slice(2).map((argument) => path.resolve(argument));
 const notRun = 77;
@@ -33,7 +36,7 @@ let failed = 0;
 let number = 0;
 const only = process.env.STEPS === undefined ? undefined : new RegExp(process.env.STEPS);
 try {
-  for (const { name, run } of [...textSteps, ...previewSteps]) {
+  for (const { name, run } of [...textSteps, ...previewSteps, ...valueSteps, ...codeSteps, ...windowSteps]) {
     if (only !== undefined && !only.test(name)) continue;
     const shot = `${String(++number).padStart(2, '0')}-${name.replace(/\W+/g, '-')}`;
     try {

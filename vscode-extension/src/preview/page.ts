@@ -58,12 +58,13 @@ function previewPage(parts: PageParts, policy: string, scriptAttributes: string)
         </svg>
         <p id="notice" role="status"></p>
       </div>
+      <button id="showBad" title="Go to the definition that first makes a pixel bad, and mark the pixel" hidden>Bad pixels: show where</button>
       <p id="keys" class="hint">Drag, arrow keys: light · wheel, + −: zoom · double click, 0: reset · point, W A S D: values</p>
       <div id="readout">
         <output id="readoutDirections" aria-label="Directions at the point"></output>
         <div>
           <output id="readoutValue" aria-label="Value of the BRDF"></output>
-          <label id="definitionChoice" hidden>· <select id="definition" title="A definition whose value is shown too"></select></label>
+          <label id="definitionChoice" hidden>also <select id="definition" title="A definition whose value is shown too"></select></label>
           <output id="readoutDefinition" aria-label="Value of the chosen definition"></output>
         </div>
       </div>
@@ -87,10 +88,7 @@ function previewPage(parts: PageParts, policy: string, scriptAttributes: string)
       <output id="pinnedValue" aria-label="Pinned values at the cursor" hidden></output>
     </details>
   </div>
-  <div id="statusLine">
-    <output id="status" aria-live="off"></output>
-    <button id="showBad" title="Go to the definition that first makes a pixel bad, and mark the pixel" hidden>Show where</button>
-  </div>
+  <output id="status" aria-live="off"></output>
   <section id="look" aria-label="Picture">
     <label>Exposure <input id="exposure" type="range" min="-8" max="8" step="0.01"><output id="exposureValue"></output></label>
     <label>Gamma <input id="gamma" type="range" min="1" max="4" step="0.01"><output id="gammaValue"></output></label>

@@ -28,7 +28,7 @@ export interface PolarFrame extends PlotFrame {
 const degree = Math.PI / 180;
 
 export function cartesianFrame({ width, height }: PlotSize): CartesianFrame {
-  const [left, top] = [40, 10];
+  const [left, top] = [40, 20];
   const [right, bottom] = [Math.max(width - 10, left + 10), Math.max(height - 30, top + 10)];
   return {
     left, right, top, bottom,

@@ -31,6 +31,7 @@ export interface Shape {
   text?: string;
 }
 
+const letterWidth = 6; // of labels, at most
 const shownAngles = [-90, -60, -30, 0, 30, 60, 90];
 
 export function curvesOf({ values }: Plot, isPinned: boolean, isShown: (channel: Channel) => boolean): Curve[] {
@@ -51,7 +52,7 @@ export function cartesianShapes(drawing: Drawing, size: PlotSize): Shape[] {
   });
   return [
     ...grid, ...angles, path('axis', `M${left} ${top}V${bottom}H${right}`),
-    label((left + right) / 2, bottom + 26, 'middle', 'θₒ'), label(left + 4, top + 4, 'start', drawing.label),
+    label((left + right) / 2, bottom + 26, 'middle', 'θₒ'), label(left, top - 8, 'start', drawing.label),
     ...content(drawing, frame),
   ];
 }
@@ -59,13 +60,10 @@ export function cartesianShapes(drawing: Drawing, size: PlotSize): Shape[] {
 export function polarShapes(drawing: Drawing, size: PlotSize): Shape[] {
   const frame = polarFrame(size);
   const { centre, radius } = frame;
-  const rings = drawing.scale.ticks.flatMap((tick) => {
-    const fraction = fractionOf(drawing.scale, tick) ?? 0;
-    if (fraction === 0) return [];
-    const r = fraction * radius;
-    return [path('grid', `M${centre.x - r} ${centre.y}A${r} ${r} 0 0 1 ${centre.x + r} ${centre.y}`),
-      label(centre.x + r, centre.y + 13, 'middle', tickText(drawing.scale, tick))];
-  });
+  const rings = ringsOf(drawing.scale, radius).flatMap(({ r, text }) => [
+    path('grid', `M${centre.x - r} ${centre.y}A${r} ${r} 0 0 1 ${centre.x + r} ${centre.y}`),
+    ...text === undefined ? [] : [label(centre.x + r, centre.y + 13, 'middle', text)],
+  ]);
   const spokes = shownAngles.flatMap((angle) => {
     const [end, beyond] = [frame.at(angle, 1), frame.at(angle, 1 + 10 / radius)];
     const anchor = angle === 0 ? 'middle' : angle < 0 ? 'end' : 'start';
@@ -76,6 +74,20 @@ export function polarShapes(drawing: Drawing, size: PlotSize): Shape[] {
     label(centre.x, centre.y + 26, 'middle', `${drawing.label} over θₒ`),
     ...content(drawing, frame),
   ];
+}
+
+/** From the outermost inwards; those that are too close to it have no label. */
+function ringsOf(scale: Scale, radius: number): { r: number; text?: string }[] {
+  let free = Infinity;
+  return [...scale.ticks].reverse().flatMap((tick) => {
+    const r = (fractionOf(scale, tick) ?? 0) * radius;
+    if (r === 0) return [];
+    const text = tickText(scale, tick);
+    const half = text.length * letterWidth / 2;
+    if (r + half > free) return [{ r }];
+    free = r - half - letterWidth;
+    return [{ r, text }];
+  });
 }
 
 /** Through the points that are there; a gap where one is not. One that stands alone is a dot. */

@@ -1,0 +1,56 @@
+// Generated code beside its document, and files that are written.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import path from 'node:path';
+import { waitUntil } from './editor.mjs';
+
+const exponent = { in: '% range' };
+
+/** The marked parts of the text that lie in the line of a word. */
+async function marksBeside(editor, word, options) {
+  const { x, y, height } = await editor.wordBox(word, options);
+  return editor.page.evaluate(([wordX, middle]) => [...document.querySelectorAll('.view-overlays .cdr[class*="ced-"]')].filter((node) => {
+    const box = node.getBoundingClientRect();
+    return box.top <= middle && middle <= box.bottom && box.left <= wordX + 1 && box.right >= wordX;
+  }).length, [x, y + height / 2]);
+}
+
+export const codeSteps = [
+  {
+    name: 'generated code beside the text follows it',
+    run: async (editor) => {
+      await editor.click('range', exponent);
+      await editor.command('texbrdf: Show generated code');
+      await editor.pick('GLSL');
+      await editor.page.locator('.view-line', { hasText: 'const float p = 60.0;' }).waitFor();
+      await editor.select('60', exponent);
+      await editor.page.keyboard.type('33');
+      await editor.page.locator('.view-line', { hasText: 'const float p = 33.0;' }).waitFor();
+    },
+  },
+  {
+    name: 'an equation reveals its code, and code its equation',
+    run: async (editor) => {
+      await editor.click('k_s', { in: '0.3' });
+      await waitUntil(() => marksBeside(editor, 'const float k_s'), (count) => count === 1);
+      await editor.screenshot('an-equation-marks-its-code');
+      await editor.click('rho_d / pi');
+      await waitUntil(() => marksBeside(editor, '\\rho_d', { in: '\\frac' }), (count) => count > 0);
+      assert.equal(await marksBeside(editor, 'const float k_s'), 0);
+      await editor.screenshot('code-marks-its-equation');
+    },
+  },
+  {
+    name: 'export writes a file',
+    run: async (editor) => {
+      await editor.click('range', exponent);
+      await editor.command('texbrdf: Export');
+      await editor.pick('GLSL');
+      const name = editor.page.locator('.quick-input-widget input.input');
+      await editor.page.waitForFunction(() => document.querySelector('.quick-input-widget input.input')?.value.endsWith('paper.glsl'));
+      await name.press('Enter');
+      await editor.page.locator('.notification-toast', { hasText: 'texbrdf wrote paper.glsl' }).waitFor();
+      assert.match(readFileSync(path.join(editor.workspace, 'paper.glsl'), 'utf8'), /const float p = 33\.0;/);
+    },
+  },
+];

@@ -1,0 +1,39 @@
+// The window as a whole: loaded again; and its first page.
+import { pause, waitUntil } from './editor.mjs';
+import { frame, waitForPicture } from './pictures.mjs';
+
+const exponent = { in: '% range' };
+
+export const windowSteps = [
+  {
+    name: 'a window that is loaded again has its preview again',
+    run: async (editor, { program }) => {
+      await editor.click('range', exponent);
+      await editor.page.locator('.editor-actions a[aria-label^="Open preview to the side"]').first().click();
+      await editor.webview.locator('#gamma').fill('3');
+      await waitForPicture(editor, program, ['--gamma', '3']);
+      await pause(500); // It is kept a moment later.
+      const loaded = editor.page.waitForEvent('load');
+      await editor.command('Developer: Reload Window');
+      await loaded;
+      await editor.webview.locator('#name', { hasText: 'paper.tex' }).waitFor();
+      await waitForPicture(editor, program, ['--gamma', '3']);
+      await waitUntil(() => editor.webview.locator('#cartesian .curve.red').getAttribute('d'), (d) => d.length > 1000);
+    },
+  },
+  {
+    name: 'the example of the walkthrough is drawn',
+    run: async (editor) => {
+      await editor.click('range', exponent);
+      await editor.command('Welcome: Open Walkthrough');
+      await editor.pick('From an equation to a sphere');
+      await editor.page.locator('.getting-started-step', { hasText: 'Make a mistake' }).first().waitFor();
+      await editor.screenshot('walkthrough');
+      await editor.page.locator('.getting-started-step').getByText('Open an example').last().click();
+      await editor.page.locator('.tab.active', { hasText: 'Untitled-1' }).waitFor();
+      await editor.page.locator('.editor-group-container.active .editor-actions a[aria-label^="Open preview to the side"]').click();
+      await editor.webview.locator('#name', { hasText: 'Untitled-1' }).waitFor();
+      await frame(editor);
+    },
+  },
+];
