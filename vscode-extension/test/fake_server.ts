@@ -44,7 +44,7 @@ export class Fake implements Connection {
       this.applied.push(changes);
       return Promise.resolve(this.applies.shift() ?? true);
     },
-    reveal: (location) => this.revealed.push(location),
+    reveal: (uri, { range }) => this.revealed.push({ uri, range }),
     saveImage: () => undefined,
     roots: () => Promise.resolve({ root: 'f', candidates: ['f', 'g'] }),
     report: (problem) => this.reports.push(problem),

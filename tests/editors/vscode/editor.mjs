@@ -201,13 +201,20 @@ export class Editor {
 
   /** What is shown when the pointer rests on a word, as soon as it holds the text. */
   async hover(word, expected, options) {
+    const hover = this.page.locator('.monaco-hover:not(.hidden) .hover-contents', { hasText: expected }).first();
+    for (const end = Date.now() + patience; ; ) {
+      await this.rest(word, options);
+      // The editor asks once: a server that is starting had nothing to say.
+      if (await hover.waitFor({ timeout: patience / 6 }).then(() => true, () => false)) return hover;
+      if (Date.now() > end) throw new Error(`no hover with ${expected} on ${word}`);
+    }
+  }
+
+  async rest(word, options) {
     await this.leaveHover();
     const { x, y, width, height } = await this.wordBox(word, options);
     await this.page.mouse.move(x + width / 2 - 3, y + height / 2);
     await this.page.mouse.move(x + width / 2, y + height / 2, { steps: 4 });
-    const hover = this.page.locator('.monaco-hover:not(.hidden) .hover-contents', { hasText: expected }).first();
-    await hover.waitFor();
-    return hover;
   }
 
   /** An open hover covers the lines above it: a click there would hit the hover. */

@@ -4,7 +4,7 @@ import { wordsOf } from '../words_of';
 import type { ShownPreview } from './shown_preview';
 
 export interface Pointer {
-  reveal: (location: Location) => void;
+  reveal: (uri: string, place: Location) => void;
   report: (problem: string) => void;
 }
 
@@ -19,7 +19,7 @@ export async function showBadPixel(shown: ShownPreview, { reveal, report }: Poin
       return;
     }
     shown.post({ type: 'badPixel', pixel: first });
-    reveal(first.location);
+    reveal(first.location.uri, first.location);
   } catch (error) {
     report(wordsOf(error));
   }

@@ -1,7 +1,8 @@
 // A preview of one document after the other: keeps the server and the page of right account of each other. Knows nothing of VS Code.
+import type { Range } from 'vscode-languageserver-protocol';
 import { Debounce } from '../debounce';
 import { largestSide, smallestSide } from '../protocol';
-import type { Api, FrameParams, Location, Look, PreviewStateParams, Roots } from '../protocol';
+import type { Api, FrameParams, Look, PreviewStateParams, Roots } from '../protocol';
 import type { TextChange } from '../text_changes';
 import { wordsOf } from '../words_of';
 import { showBadPixel } from './bad_pixels';
@@ -25,7 +26,7 @@ export interface Surroundings {
   post: (message: ToPage) => void;
   /** One step that can be undone; false where the document has changed since. */
   apply: (changes: TextChange[]) => Promise<boolean>;
-  reveal: (location: Location) => void;
+  reveal: (uri: string, place: { range: Range }) => void;
   saveImage: (png: string, name: string) => void;
   roots: (uri: string) => Promise<Roots>;
   report: (problem: string) => void;
@@ -244,7 +245,7 @@ export class Session {
 
   private revealParameter(name: string): void {
     const parameter = this.parameters.find(name);
-    if (parameter !== undefined && this.subject !== undefined) this.around.reveal({ uri: this.subject.uri, range: parameter.range });
+    if (parameter !== undefined && this.subject !== undefined) this.around.reveal(this.subject.uri, parameter);
   }
 
   /** For a window that is loaded again. */

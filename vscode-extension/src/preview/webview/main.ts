@@ -5,7 +5,7 @@ import { element, keep, oncePerFrame, tell } from './host';
 import { showLook, watchLook } from './look';
 import { forgetPicture, pictureBlob, showPicture, showState, showVersion } from './picture';
 import { unpin, watchPin } from './pin';
-import { askForPlots, forgetPlot, nameRoot, showPlot, watchPlots } from './plots';
+import { forgetPlot, nameRoot, showPlot, watchPlots } from './plots';
 import { clearReadout, showDefinitions, showReadout, showRoot, watchReadout } from './readout';
 import { showParameters, watchSliders } from './sliders';
 
@@ -74,4 +74,3 @@ watchPlots();
 watchBadPixels();
 watchSize();
 tell({ type: 'ready' });
-askForPlots();

@@ -32,12 +32,16 @@ let pinned: Plot | undefined;
 let root = 'f';
 
 const draw = oncePerFrame(() => { drawAll(); });
+/** Only once the extension listens. */
+const tellShown = oncePerFrame(() => { tell({ type: 'plots', shown: section.open }); });
 
 export function watchPlots(): void {
   recall();
+  tellShown(undefined);
   section.addEventListener('toggle', () => {
     keep({ plots: section.open });
-    tell({ type: 'plots', shown: section.open });
+    tellShown(undefined);
+    draw(undefined);
   });
   scale.addEventListener('change', () => {
     keep({ scale: scale.value });
@@ -50,11 +54,6 @@ export function watchPlots(): void {
     resized.observe(figure.svg);
     figure.svg.addEventListener('pointermove', (event) => { follow(figure, event); });
   }
-}
-
-/** To be said once the extension listens. */
-export function askForPlots(): void {
-  tell({ type: 'plots', shown: section.open });
 }
 
 export function showPlot(plot: Plot): void {
