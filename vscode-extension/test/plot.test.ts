@@ -83,6 +83,12 @@ test('the polar plot has the normal above, the light on the left', () => {
   assert.deepEqual(frame.at(0, 1), { x: centre.x, y: centre.y - radius });
 });
 
+test('the centre of the polar plot is 0, whatever is negative', () => {
+  const [curve] = ofClass(polarShapes(drawing(plot([[0, 1, 0, -1, 0]])), size), 'curve');
+  const { x, y } = polarFrame(size).centre;
+  assert.equal(curve?.attributes.d, pathThrough([{ x, y }, polarFrame(size).at(-45, 1), { x, y }, undefined, { x, y }]));
+});
+
 test('labels of rings keep apart, the outermost stays', () => {
   const labels = (width: number) => polarShapes(drawing(plot([[1e-4, 1e-3, 0.01, 0.1, 1]]), 'log'), { width, height: 400 })
     .filter(({ tag, attributes }) => tag === 'text' && attributes['text-anchor'] === 'middle').map(({ text }) => text);

@@ -61,11 +61,11 @@ function previewPage(parts: PageParts, policy: string, scriptAttributes: string)
       <button id="showBad" title="Go to the definition that first makes a pixel bad, and mark the pixel" hidden>Bad pixels: show where</button>
       <p id="keys" class="hint">Drag, arrow keys: light · wheel, + −: zoom · double click, 0: reset · point, W A S D: values</p>
       <div id="readout">
-        <output id="readoutDirections" aria-label="Directions at the point"></output>
+        <output id="readoutDirections" aria-live="off" aria-label="Directions at the point"></output>
         <div>
           <output id="readoutValue" aria-label="Value of the BRDF"></output>
           <label id="definitionChoice" hidden>also <select id="definition" title="A definition whose value is shown too"></select></label>
-          <output id="readoutDefinition" aria-label="Value of the chosen definition"></output>
+          <output id="readoutDefinition" aria-live="off" aria-label="Value of the chosen definition"></output>
         </div>
       </div>
     </main>
@@ -84,8 +84,8 @@ function previewPage(parts: PageParts, policy: string, scriptAttributes: string)
         <svg id="polar" class="plot" role="img"></svg>
         <svg id="cartesian" class="plot" role="img"></svg>
       </div>
-      <output id="cursorValue" aria-label="Values at the cursor"></output>
-      <output id="pinnedValue" aria-label="Pinned values at the cursor" hidden></output>
+      <output id="cursorValue" aria-live="off" aria-label="Values at the cursor"></output>
+      <output id="pinnedValue" aria-live="off" aria-label="Pinned values at the cursor" hidden></output>
     </details>
   </div>
   <output id="status" aria-live="off"></output>

@@ -22,6 +22,11 @@ export function scaleFor(kind: ScaleKind, values: readonly Value[]): Scale {
   return kind === 'linear' ? linearScale(numbers) : logScale(numbers);
 }
 
+/** For a plot whose origin is 0: what is negative has no place. */
+export function withoutNegative(scale: Scale): Scale {
+  return scale.kind === 'log' || scale.high <= 0 ? scale : { ...scale, low: Math.max(scale.low, 0) };
+}
+
 /** Where a value lies between the ends, 0 to 1; undefined where it has no place. */
 export function fractionOf({ kind, low, high }: Scale, value: Value): number | undefined {
   if (typeof value === 'string') return undefined;

@@ -2,7 +2,7 @@
 import type { Plot, Point, Value } from '../messages';
 import { cartesianFrame, polarFrame } from './plot_frame';
 import type { PlotFrame, PlotSize } from './plot_frame';
-import { fractionOf, tickText } from './plot_scale';
+import { fractionOf, tickText, withoutNegative } from './plot_scale';
 import type { Scale } from './plot_scale';
 
 export type Channel = 'red' | 'green' | 'blue' | 'grey';
@@ -57,7 +57,8 @@ export function cartesianShapes(drawing: Drawing, size: PlotSize): Shape[] {
   ];
 }
 
-export function polarShapes(drawing: Drawing, size: PlotSize): Shape[] {
+export function polarShapes(given: Drawing, size: PlotSize): Shape[] {
+  const drawing = { ...given, scale: withoutNegative(given.scale) };
   const frame = polarFrame(size);
   const { centre, radius } = frame;
   const rings = ringsOf(drawing.scale, radius).flatMap(({ r, text }) => [

@@ -94,6 +94,7 @@ function drawAll(): void {
   element('channels').hidden = !isColour;
   figures.forEach(drawFigure);
   showValues('cursorValue', current, '');
+  cursor.setAttribute('aria-valuetext', element('cursorValue').textContent ?? '');
   showValues('pinnedValue', pinned, 'pinned: ');
 }
 

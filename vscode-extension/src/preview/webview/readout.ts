@@ -22,6 +22,7 @@ const send = oncePerFrame((at: Point | null) => { tell({ type: 'probe', point: a
 export function watchReadout(): void {
   stage.addEventListener('pointermove', (event) => {
     placeMark('probeMark', undefined);
+    speak(false);
     read(pictureFraction(event));
   });
   stage.addEventListener('pointerleave', () => { read(undefined); });
@@ -74,7 +75,13 @@ function moveBy([right, down]: [number, number], by: number): void {
   const { x, y } = point ?? { x: 0.5, y: 0.5 };
   const moved = { x: clamped(x + right * by, 0, 1), y: clamped(y + down * by, 0, 1) };
   placeMark('probeMark', moved);
+  speak(true);
   read(moved);
+}
+
+/** Screen readers say what keys have asked for, not what the pointer passes. */
+function speak(aloud: boolean): void {
+  for (const output of [value, definitionValue]) output.setAttribute('aria-live', aloud ? 'polite' : 'off');
 }
 
 function clear(): void {
