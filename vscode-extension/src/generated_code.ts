@@ -57,8 +57,10 @@ class GeneratedCode implements vscode.TextDocumentContentProvider, CodeDocuments
     openCode().forEach((uri) => { this.changed.fire(uri); });
   }
 
-  forget(uri: vscode.Uri): void {
-    this.made.delete(uri.toString());
+  /** One that changes its language is closed and opened, too. */
+  forgetClosed(): void {
+    const open = new Set(openCode().map(String));
+    for (const key of this.made.keys()) if (!open.has(key)) this.made.delete(key);
   }
 
   /** Also of what its document includes. */
@@ -87,7 +89,7 @@ export function showGeneratedCode(server: ServerProcess, api: Api): vscode.Dispo
     vscode.workspace.registerTextDocumentContentProvider(scheme, code),
     linkCode(code),
     vscode.workspace.onDidChangeTextDocument(({ document }) => { code.sourceChanged(document.uri.toString()); }),
-    vscode.workspace.onDidCloseTextDocument(({ uri }) => { if (uri.scheme === scheme) code.forget(uri); }),
+    vscode.workspace.onDidCloseTextDocument(({ uri }) => { if (uri.scheme === scheme) code.forgetClosed(); }),
     server.onStateChange(({ kind }) => { if (kind === 'ready') code.refreshAll(); }),
     vscode.commands.registerCommand('texbrdf.showGeneratedCode', () => show(server, api)),
   );

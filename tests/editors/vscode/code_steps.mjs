@@ -17,15 +17,12 @@ async function marksBeside(editor, word, options) {
 
 export const codeSteps = [
   {
-    name: 'generated code beside the text follows it',
+    name: 'generated code opens beside the text',
     run: async (editor) => {
       await editor.click('range', exponent);
       await editor.command('texbrdf: Show generated code');
       await editor.pick('GLSL');
       await editor.page.locator('.view-line', { hasText: 'const float p = 60.0;' }).waitFor();
-      await editor.select('60', exponent);
-      await editor.page.keyboard.type('33');
-      await editor.page.locator('.view-line', { hasText: 'const float p = 33.0;' }).waitFor();
     },
   },
   {
@@ -38,6 +35,15 @@ export const codeSteps = [
       await waitUntil(() => marksBeside(editor, '\\rho_d', { in: '\\frac' }), (count) => count > 0);
       assert.equal(await marksBeside(editor, 'const float k_s'), 0);
       await editor.screenshot('code-marks-its-equation');
+    },
+  },
+  {
+    name: 'generated code follows the text, and its mark the caret',
+    run: async (editor) => {
+      await editor.select('60', exponent);
+      await editor.page.keyboard.type('33');
+      await editor.page.locator('.view-line', { hasText: 'const float p = 33.0;' }).waitFor();
+      await waitUntil(() => marksBeside(editor, 'const float p ='), (count) => count === 1);
     },
   },
   {
