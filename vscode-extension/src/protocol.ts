@@ -179,6 +179,8 @@ export interface Plot {
   values: Value[][];
   /** Whether values are times cos θ_o. */
   cosine: boolean;
+  /** Why there are no values, as where the light is below the surface. */
+  problem?: string;
 }
 
 export type Target = 'glsl' | 'disney';

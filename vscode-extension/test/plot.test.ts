@@ -126,6 +126,14 @@ test('the cursor reads the nearest sample', () => {
   assert.equal(valuesAt(grey, 45), 'NaN');
 });
 
+test('a plot without values says why', () => {
+  const none: Plot = { light: { theta: 120 }, angles: [], values: [], cosine: true, problem: 'the light is behind the surface' };
+  assert.match(plotDescription('Polar', 'f', none), /; the light is behind the surface$/);
+  for (const shapes of [polarShapes, cartesianShapes]) {
+    assert.deepEqual(ofClass(shapes(drawing(none), size), 'dot'), []);
+  }
+});
+
 test('a plot has words for those who do not see it', () => {
   assert.equal(plotDescription('Polar', 'f', grey), 'Polar plot of f over the viewer\'s angle, light at 30°; largest 2 at 0°');
   assert.match(plotDescription('Polar', 'f', plot([['nan', 'nan', 'nan', 'nan', 'nan']])), /no values$/);

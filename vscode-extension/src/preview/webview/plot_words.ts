@@ -18,7 +18,7 @@ export function valuesAt({ angles, values }: Plot, angle: number): string {
 
 export function plotDescription(kind: string, root: string, plot: Plot): string {
   const peak = highest(plot);
-  const largest = peak === undefined ? 'no values' : `largest ${valueText(peak.value)} at ${peak.angle}°`;
+  const largest = peak === undefined ? plot.problem ?? 'no values' : `largest ${valueText(peak.value)} at ${peak.angle}°`;
   return `${kind} plot of ${quantity(root, plot)} over the viewer's angle, light at ${plot.light.theta.toFixed(0)}°; ${largest}`;
 }
 

@@ -90,8 +90,7 @@ function follow({ svg, frame }: Figure, event: PointerEvent): void {
 
 function drawAll(): void {
   if (!section.open) return;
-  const isColour = (current?.values.length ?? 1) > 1 || (pinned?.values.length ?? 1) > 1;
-  element('channels').hidden = !isColour;
+  element('channels').hidden = [current, pinned].every((plot) => plot === undefined || plot.values.length === 1);
   figures.forEach(drawFigure);
   showValues('cursorValue', current, '');
   cursor.setAttribute('aria-valuetext', element('cursorValue').textContent ?? '');
@@ -117,7 +116,7 @@ function drawingOf(plot: Plot): Drawing {
 function showValues(id: string, plot: Plot | undefined, prefix: string): void {
   const angle = cursor.valueAsNumber;
   const output = element<HTMLOutputElement>(id);
-  output.textContent = plot === undefined ? '' : `${prefix}${angle.toFixed(1).replace('-', '−')}°: ${valuesAt(plot, angle)}`;
+  output.textContent = plot === undefined ? '' : prefix + (plot.problem ?? `${angle.toFixed(1).replace('-', '−')}°: ${valuesAt(plot, angle)}`);
   output.hidden = plot === undefined;
 }
 
