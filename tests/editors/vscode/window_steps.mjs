@@ -30,7 +30,7 @@ export const windowSteps = [
       await editor.page.locator('.getting-started-step', { hasText: 'Make a mistake' }).first().waitFor();
       await editor.screenshot('walkthrough');
       await editor.page.locator('.getting-started-step').getByText('Open an example').last().click();
-      await editor.page.locator('.tab.active', { hasText: 'Untitled-1' }).waitFor();
+      await editor.page.locator('.tab.active[data-resource-name="Untitled-1"]').waitFor();
       await editor.page.locator('.editor-group-container.active .editor-actions a[aria-label^="Open preview to the side"]').click();
       await editor.webview.locator('#name', { hasText: 'Untitled-1' }).waitFor();
       await frame(editor);
