@@ -103,7 +103,7 @@ Picture map_directions(const SphereGeometry& geometry, const ShadedValues& value
     const std::size_t at = i * values.stride;
     const std::array<float, 3> value{values.channels[0][at], values.channels[1][at], values.channels[2][at]};
     uint8_t* pixel = &picture.image.pixels[std::size_t{geometry.pixels[i]} * 4];
-    const std::optional<BadPixel> bad = find_fault(value);
+    const std::optional<BadPixel> bad = find_bad(value);
     if (bad && *bad != BadPixel::Negative) {
       ++picture.bad_pixels[*bad];
       std::ranges::copy(bad_pixel_entry(*bad).colour, pixel);
