@@ -62,7 +62,10 @@ class Shown {
   readonly calls: unknown[] = [];
   roots: Record<string, Roots> = {};
 
-  readonly follower = new Follower(this, (uri) => Promise.resolve(this.roots[uri] ?? { root: null, candidates: [] }));
+  readonly follower = new Follower(this, (uri) => {
+    const roots = this.roots[uri];
+    return roots === undefined ? Promise.reject(new Error('not open')) : Promise.resolve(roots);
+  });
 
   show = (subject: { uri: string }) => {
     this.uri = subject.uri;
@@ -74,6 +77,7 @@ class Shown {
 }
 
 const drawable: Roots = { root: 'f', candidates: ['f'] };
+const empty: Roots = { root: null, candidates: [] };
 const document = (uri: string, version = 1): FollowedDocument => ({ uri, name: uri, version });
 
 test('the document that was edited last is shown, and its versions are told', async () => {
@@ -89,11 +93,20 @@ test('the document that was edited last is shown, and its versions are told', as
 
 test('a document without a BRDF takes the place of none', async () => {
   const shown = new Shown();
-  shown.roots = { a: drawable };
+  shown.roots = { a: drawable, empty };
   await shown.follower.follow(document('empty'));
   await shown.follower.follow(document('a'));
   await shown.follower.follow(document('empty', 2));
   assert.deepEqual(shown.calls, [['show', 'empty'], ['show', 'a']]);
+});
+
+test('that the shown document was closed is said where the next has no BRDF', async () => {
+  const shown = new Shown();
+  shown.roots = { a: drawable, empty };
+  await shown.follower.follow(document('a'));
+  shown.roots = { empty };
+  await shown.follower.follow(document('empty'));
+  assert.deepEqual(shown.calls, [['show', 'a'], ['closed', 'a']]);
 });
 
 test('of two documents that follow each other quickly the last is shown', async () => {

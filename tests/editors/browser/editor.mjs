@@ -19,8 +19,11 @@ export class Editor {
     const capabilities = { workspace: { applyEdit: true, workspaceEdit: { documentChanges: true } }, window: { showDocument: { support: true } } };
     await this.request('initialize', { capabilities });
     this.notify('initialized', {});
-    this.notify('textDocument/didOpen', { textDocument: { uri: this.uri, languageId: 'latex', version: this.version, text: this.text } });
     return this.url;
+  }
+
+  open() {
+    this.notify('textDocument/didOpen', { textDocument: { uri: this.uri, languageId: 'latex', version: this.version, text: this.text } });
   }
 
   async end() {

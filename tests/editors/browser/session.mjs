@@ -77,6 +77,10 @@ const shot = (page, name) => page.screenshot({ path: path.join(out, `${name}.png
 const slider = (page) => page.locator('.row', { hasText: 'p' }).locator('input[type=range]');
 
 const steps = {
+  'before a document is open the page asks for one': async (page) => {
+    await page.locator('#notice', { hasText: 'Open a LaTeX document' }).waitFor();
+    editor.open();
+  },
   'the document is drawn': async (page) => {
     await page.locator('#name', { hasText: 'paper.tex' }).waitFor();
     await picture(page);

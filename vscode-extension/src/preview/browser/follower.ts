@@ -13,6 +13,7 @@ export interface Followed {
 export class Follower {
   private last: FollowedDocument = { uri: null };
 
+  /** `roots` rejects for documents that are not open. */
   constructor(private readonly session: Followed, private readonly roots: (uri: string) => Promise<Roots>) {}
 
   async follow(document: FollowedDocument): Promise<void> {
@@ -28,9 +29,21 @@ export class Follower {
   }
 
   private async change(document: FollowedDocument & { uri: string }): Promise<void> {
-    const { root, candidates } = await this.roots(document.uri);
-    const isDrawable = root !== null || candidates.length > 0;
-    if (this.last !== document || (!isDrawable && this.session.uri !== undefined)) return;
-    await this.session.show({ uri: document.uri, name: document.name, version: document.version, root: undefined });
+    const isDrawable = await this.isDrawable(document.uri);
+    if (this.last !== document) return;
+    const shown = this.session.uri;
+    if (isDrawable || shown === undefined) {
+      await this.session.show({ uri: document.uri, name: document.name, version: document.version, root: undefined });
+    } else if (!await this.isOpen(shown) && this.session.uri === shown) {
+      this.session.documentClosed(shown);
+    }
+  }
+
+  private isDrawable(uri: string): Promise<boolean> {
+    return this.roots(uri).then(({ root, candidates }) => root !== null || candidates.length > 0, () => false);
+  }
+
+  private isOpen(uri: string): Promise<boolean> {
+    return this.roots(uri).then(() => true, () => false);
   }
 }

@@ -28,16 +28,16 @@ const link = new Link(() => {
 });
 const api = new Api(link);
 const editor = new Editor(link);
-const roots = (uri: string) => api.roots(uri).catch(() => none);
 const session = new Session({
   api,
   post: postToPage,
   apply: (changes) => editor.apply(changes),
   reveal: (uri, { range }) => { link.request('texbrdf/reveal', { uri, range }).catch((error: unknown) => { report(String(error)); }); },
-  saveImage, roots, report,
+  roots: (uri) => api.roots(uri).catch(() => none),
+  saveImage, report,
   standardLook: () => defaultLook,
 });
-const follower = new Follower(session, roots);
+const follower = new Follower(session, api.roots);
 
 link.on('texbrdf/welcome', () => { void session.reopen(); });
 link.on('texbrdf/document', (document) => {
