@@ -35,7 +35,7 @@ export const valueSteps = [
       await pointAtPole(editor);
       const read = (id) => editor.webview.locator(id).textContent();
       assert.match(await waitUntil(() => read('#readoutDefinition'), (text) => text !== ''), /^= 0\.30*$/);
-      assert.match(await read('#readoutDirections'), /^light θ 3[34]\.\d° φ \d+\.\d° · view θ [01]\.\d° φ /);
+      await waitUntil(() => read('#readoutDirections'), (text) => /^light θ 3[34]\.\d° φ 14\d\.\d° · view θ 0\.[0-2]° φ /.test(text));
       const shown = /^f = \(([\d.]+), ([\d.]+), ([\d.]+)\)$/.exec(await read('#readoutValue')).slice(1).map(Number);
       const exact = valueAtPole(editor, program, await editor.source());
       exact.forEach((value, channel) => assert.ok(Math.abs(shown[channel] / value - 1) < 0.01, `${shown} is not ${exact}`));

@@ -15,6 +15,8 @@ const fractionPerFineKey = 0.004;
 const moves: Record<string, [number, number]> = { KeyA: [-1, 0], KeyD: [1, 0], KeyW: [0, -1], KeyS: [0, 1] };
 
 let point: Point | undefined;
+/** By the pointer, not by keys: it goes when the pointer does. */
+let isPointed = false;
 let root = 'f';
 
 const send = oncePerFrame((at: Point | null) => { tell({ type: 'probe', point: at }); });
@@ -22,10 +24,9 @@ const send = oncePerFrame((at: Point | null) => { tell({ type: 'probe', point: a
 export function watchReadout(): void {
   stage.addEventListener('pointermove', (event) => {
     placeMark('probeMark', undefined);
-    speak(false);
-    read(pictureFraction(event));
+    choose(pictureFraction(event), true);
   });
-  stage.addEventListener('pointerleave', () => { read(undefined); });
+  stage.addEventListener('pointerleave', () => { if (isPointed) read(undefined); });
   stage.addEventListener('keydown', (event) => {
     const move = moves[event.code];
     if (move === undefined || event.ctrlKey || event.altKey || event.metaKey) return;
@@ -75,13 +76,14 @@ function moveBy([right, down]: [number, number], by: number): void {
   const { x, y } = point ?? { x: 0.5, y: 0.5 };
   const moved = { x: clamped(x + right * by, 0, 1), y: clamped(y + down * by, 0, 1) };
   placeMark('probeMark', moved);
-  speak(true);
-  read(moved);
+  choose(moved, false);
 }
 
 /** Screen readers say what keys have asked for, not what the pointer passes. */
-function speak(aloud: boolean): void {
-  for (const output of [value, definitionValue]) output.setAttribute('aria-live', aloud ? 'polite' : 'off');
+function choose(at: Point | undefined, byPointer: boolean): void {
+  isPointed = byPointer;
+  for (const output of [value, definitionValue]) output.setAttribute('aria-live', byPointer ? 'off' : 'polite');
+  read(at);
 }
 
 function clear(): void {
