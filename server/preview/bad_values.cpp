@@ -15,8 +15,8 @@ namespace {
 
 constexpr uint32_t kMaxSize = 256;
 constexpr uint32_t kMinSize = 16;
-/// Of the batch evaluator, over all points together: some 20 ms.
-constexpr double kMaxBatchSteps = 1e8;
+/// Of the batch evaluator, over all points together: some 10 ms.
+constexpr double kMaxBatchSteps = 5e7;
 /// Of the reference evaluator.
 constexpr uint64_t kMaxSteps = 500'000;
 

@@ -23,7 +23,8 @@ namespace texbrdf::test {
 ///
 /// The folder is `file:///work`; what lies beside it is outside. In `{…}`, `"doc": "a.tex"` stands for `textDocument`,
 /// and `"at": "2:3"` for `position`, counted from 1. In what the server sent, ranges are written `2:3-2:9`, URIs
-/// without their folder, and `jsonrpc` is left out. Previews have values but no pictures, which come when they are ready.
+/// without their folder, and `jsonrpc` is left out. Previews have values but no pictures, which come when they are
+/// ready.
 std::string play(std::string_view transcript);
 
 }  // namespace texbrdf::test
