@@ -63,11 +63,11 @@ class Server {
 /// Messages that are there already come before diagnostics, so that a burst of edits ends in few publications.
 int Server::run() {
   while (session_.phase() != Session::Phase::Exited) {
+    session_.send_frames();
     const bool idle = queue_.empty() && !handler_.has_publications();
     if (idle) handler_.use_idle_time();
     const Channel::Status status = queue_.receive(idle ? kProcessCheckMs : 0);
     if (site_) site_->receive(queue_, session_);
-    session_.send_frames();
     if (!handler_.has_publications()) messages_since_publication_ = 0;
     if (handler_.has_publications() &&
         (queue_.empty() || messages_since_publication_ >= kMaxMessagesBetweenPublications)) {

@@ -21,6 +21,7 @@ using Clock = std::chrono::steady_clock;
 /// A larger picture is drawn on the CPU only where there is no GPU.
 constexpr uint32_t kMaxQuickSize = 512;
 constexpr uint32_t kMaxCpuSize = 1024;
+constexpr std::chrono::milliseconds kHeadStart{5};
 
 /// A scene whose equations are linked.
 struct Drawable {
@@ -204,8 +205,18 @@ class PreviewService::Painter {
 
   void run_gpu() {
     while (std::optional<Work> work = wait_for_work([this] { return next_for_gpu(); })) {
+      give_head_start_to_cpu(*work);
       deposit(*work, Device::Gpu, draw_on_gpu(*work));
     }
+  }
+
+  /// A renderer in software would take the cores from the picture that comes first.
+  void give_head_start_to_cpu(const Work& work) {
+    std::unique_lock lock(mutex_);
+    work_.wait_for(lock, kHeadStart, [&] {
+      const auto slot = slots_.find(work.preview);
+      return is_ending_ || slot == slots_.end() || slot->second.drawn_on_cpu >= work.serial;
+    });
   }
 
   std::optional<Frame> draw_on_gpu(const Work& work) {
@@ -254,6 +265,7 @@ class PreviewService::Painter {
       }
     }
     wake_();
+    work_.notify_all();
   }
 
   /// A picture that was begun before the GPU was given up is not the last one of the CPU.
