@@ -12,7 +12,7 @@ namespace texbrdf::features {
 
 struct Hover {
   std::string text;
-  Span span;                             ///< of the name, or of the expression
+  Span span;                               ///< of the name, or of the expression
   std::optional<Expression> expression{};  ///< what has a value, but for parameters and conventions
 };
 
