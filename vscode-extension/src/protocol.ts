@@ -148,6 +148,8 @@ export interface Probed {
   /** Null where the point is not lit. */
   value: Value[] | null;
   definition?: { name: string; type: Definition['type']; value: Value[] };
+  /** Why there are no values, as where they would have to be waited for. */
+  problem?: string;
 }
 
 export interface Location {
@@ -159,11 +161,14 @@ export interface FirstBadPixel extends Point {
   kind: keyof BadPixels;
   definition: string;
   label: string;
-  location: Location;
+  /** Null where the document has it no more. */
+  location: Location | null;
 }
 
 export interface BadPixelsFound extends BadPixels {
   first: FirstBadPixel | null;
+  /** Why the search ended early. */
+  problem?: string;
 }
 
 export interface PlotParams {
@@ -210,8 +215,8 @@ export interface Requests {
   'texbrdf/roots': [{ uri: string }, Roots];
   'texbrdf/definitions': [RootParams, Definition[]];
   'texbrdf/probe': [ProbeParams, Probed | null];
-  'texbrdf/badPixels': [PreviewParams, BadPixelsFound];
-  'texbrdf/plot': [PlotParams, Plot];
+  'texbrdf/badPixels': [PreviewParams, BadPixelsFound | null];
+  'texbrdf/plot': [PlotParams, Plot | null];
   'texbrdf/emit': [EmitParams, Emitted | null];
 }
 

@@ -19,6 +19,8 @@ export function definition(name: string): Definition {
   return { name, label: name, type: 'real' };
 }
 
+export const somePlot: Plot = { light: { theta: 30 }, angles: [-90, 0, 90], values: [[1, 2, 3]], cosine: false };
+
 export class Fake implements Connection {
   readonly asked: [string, unknown][] = [];
   readonly told: [string, unknown][] = [];
@@ -28,8 +30,8 @@ export class Fake implements Connection {
   readonly revealed: Location[] = [];
   parameters: Parameter[] = [];
   definitions: Definition[] = [];
-  plot: Plot = { light: { theta: 30 }, angles: [-90, 0, 90], values: [[1, 2, 3]], cosine: false };
-  bad: BadPixelsFound = { nan: 0, infinite: 0, negative: 0, first: null };
+  plot: Plot | null = somePlot;
+  bad: BadPixelsFound | null = { nan: 0, infinite: 0, negative: 0, first: null };
   probed: () => Promise<Probed | null> = () => Promise.resolve(null);
   /** Answers of apply, true when they are used up. */
   applies: boolean[] = [];

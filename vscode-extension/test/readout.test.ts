@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { areNumbers, directionText, isBadBrdf, valueText, valuesText } from '../src/preview/webview/readout_words';
 import type { Probed } from '../src/protocol';
-import { definition, frame, look, nowhere, opened } from './fake_server';
+import { definition, frame, look, nowhere, opened, somePlot } from './fake_server';
 
 const readout = (value: number): Probed => ({ light: { theta: 1, phi: 2 }, view: { theta: 3, phi: 4 }, value: [value] });
 const settled = () => new Promise((resolve) => setImmediate(resolve));
@@ -93,7 +93,7 @@ test('plots are asked for with each picture, while they are shown, and told when
   await settled();
   assert.equal(fake.askedOf('texbrdf/plot').length, 2);
   assert.equal(fake.ofType('plot').length, 1);
-  fake.plot = { ...fake.plot, values: [[3, 2, 1]] };
+  fake.plot = { ...somePlot, values: [[3, 2, 1]] };
   fake.session.frameArrived(frame(1, 3));
   await settled();
   assert.deepEqual(fake.ofType('plot').at(-1)?.plot.values, [[3, 2, 1]]);
@@ -128,6 +128,30 @@ test('where no pixel is bad in double precision, that is said', async () => {
   await fake.session.pageSays({ type: 'showBad' });
   assert.deepEqual(fake.revealed, []);
   assert.match(fake.reports.join(), /double precision/);
+});
+
+test('where the search ended early or found nothing to search, that is said', async () => {
+  const fake = await opened();
+  fake.bad = { nan: 0, infinite: 0, negative: 0, first: null, problem: 'too slow to be searched' };
+  await fake.session.pageSays({ type: 'showBad' });
+  fake.bad = null;
+  await fake.session.pageSays({ type: 'showBad' });
+  assert.deepEqual(fake.reports, ['too slow to be searched', 'Nothing that can be drawn was searched.']);
+});
+
+test('a bad pixel whose definition is gone is marked all the same', async () => {
+  const fake = await opened();
+  fake.bad = { nan: 3, infinite: 0, negative: 0, first: { x: 0.1, y: 0.2, kind: 'nan', definition: 'D', label: 'D', location: null } };
+  await fake.session.pageSays({ type: 'showBad' });
+  assert.equal(fake.ofType('badPixel').length, 1);
+  assert.match(fake.reports.join(), /no definition of D any more/);
+});
+
+test('a preview that nothing was drawn for has no plot', async () => {
+  const fake = await opened();
+  fake.plot = null;
+  await fake.session.pageSays({ type: 'plots', shown: true });
+  assert.deepEqual(fake.ofType('plot'), []);
 });
 
 test('document, root and look are remembered', async () => {

@@ -80,6 +80,15 @@ export const textSteps = [
     },
   },
   {
+    name: 'hover shows the definition over the sphere',
+    run: async (editor) => {
+      const hover = await editor.hover('f', 'over the hemisphere', wrong);
+      const picture = hover.locator('img[src^="data:image/png;base64,"]');
+      await picture.waitFor();
+      assert.equal(await picture.evaluate((image) => image.naturalWidth), 64);
+    },
+  },
+  {
     name: 'a server that is killed comes back',
     run: async (editor) => {
       const [first, ...more] = servers(editor);

@@ -12,14 +12,16 @@ export async function showBadPixel(shown: ShownPreview, { reveal, report }: Poin
   const preview = shown.id();
   if (preview === undefined) return;
   try {
-    const { first } = await shown.api.badPixels(preview);
+    const found = await shown.api.badPixels(preview);
     if (preview !== shown.id()) return;
+    const first = found?.first ?? null;
     if (first === null) {
-      report('In double precision no pixel is bad: single precision is at fault.');
+      report(found?.problem ?? (found === null ? 'Nothing that can be drawn was searched.' : 'In double precision no pixel is bad: single precision is at fault.'));
       return;
     }
     shown.post({ type: 'badPixel', pixel: first });
-    reveal(first.location.uri, first.location);
+    if (first.location === null) report(`The document has no definition of ${first.label} any more.`);
+    else reveal(first.location.uri, first.location);
   } catch (error) {
     report(wordsOf(error));
   }

@@ -6,7 +6,7 @@ import type { ShownPreview } from './shown_preview';
 export class Plots {
   private areShown = false;
   private last: Plot | undefined;
-  private readonly questions = new OneAtATime<number, Plot>(
+  private readonly questions = new OneAtATime<number, Plot | null>(
     (preview) => this.shown.api.plot({ preview, kind: 'cartesian' }), // The data of both kinds are the same.
     (plot) => { this.arrived(plot); },
   );
@@ -30,8 +30,9 @@ export class Plots {
     this.questions.forget();
   }
 
-  private arrived(plot: Plot): void {
-    if (JSON.stringify(plot) === JSON.stringify(this.last)) return;
+  /** Null where nothing was drawn so far. */
+  private arrived(plot: Plot | null): void {
+    if (plot === null || JSON.stringify(plot) === JSON.stringify(this.last)) return;
     this.last = plot;
     this.repeat();
   }

@@ -55,7 +55,7 @@ export function showReadout(readout: Probed | null): void {
     return;
   }
   directions.textContent = `${directionText('light', readout.light)} · ${directionText('view', readout.view)}`;
-  showValue(value, readout.value === null ? 'not lit' : `${root} = ${valuesText(readout.value)}`, isBadBrdf(readout.value ?? []));
+  showValue(value, readout.value === null ? readout.problem ?? 'not lit' : `${root} = ${valuesText(readout.value)}`, isBadBrdf(readout.value ?? []));
   const { definition } = readout;
   showValue(definitionValue, definition === undefined ? '' : `= ${valuesText(definition.value)}`, !areNumbers(definition?.value ?? []));
 }
