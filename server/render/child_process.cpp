@@ -145,8 +145,9 @@ void ChildProcess::close_socket() {
 }
 
 std::string ChildProcess::finish() {
-  close_socket();
+  // In this order: a worker whose socket is closed ends by itself, and what it says of its end would be chance.
   if (!has_ended()) kill(process_, SIGKILL);
+  close_socket();
   if (!wait_briefly()) return "was killed, but does not end";
   if (WIFSIGNALED(status_)) {
     const int signal = WTERMSIG(status_);
