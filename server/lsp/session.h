@@ -34,8 +34,8 @@
 #include "lsp/workspace_folders.h"
 #include "lsp/write_edits.h"
 #include "lsp/write_results.h"
-#include "preview/expression_look.h"
 #include "preview/bad_values.h"
+#include "preview/expression_look.h"
 
 namespace texbrdf::lsp {
 

@@ -112,12 +112,19 @@ std::vector<uint8_t> filtered_rows(const ImageRgba8& image, uint32_t channels) {
   return data;
 }
 
-std::vector<uint8_t> deflate(std::span<const uint8_t> data, int level) {
+/// Most of what it may take is never written.
+struct Deflated {
+  std::unique_ptr<uint8_t[]> bytes;
+  std::size_t size = 0;
+};
+
+Deflated deflate(std::span<const uint8_t> data, int level) {
   const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
       libdeflate_alloc_compressor(level), &libdeflate_free_compressor);
   require(compressor != nullptr, "no memory for a compressor");
-  std::vector<uint8_t> out(libdeflate_zlib_compress_bound(compressor.get(), data.size()));
-  out.resize(libdeflate_zlib_compress(compressor.get(), data.data(), data.size(), out.data(), out.size()));
+  const std::size_t bound = libdeflate_zlib_compress_bound(compressor.get(), data.size());
+  Deflated out{std::make_unique_for_overwrite<uint8_t[]>(bound)};
+  out.size = libdeflate_zlib_compress(compressor.get(), data.data(), data.size(), out.bytes.get(), bound);
   return out;
 }
 
@@ -141,8 +148,8 @@ std::vector<uint8_t> encode_png(const ImageRgba8& image, PngEffort effort) {
   const bool opaque = is_opaque(image);
   const uint32_t channels = opaque ? 3 : 4;
   const bool fast = effort == PngEffort::Fast;
-  const std::vector<uint8_t> compressed = deflate(
-      fast ? unfiltered_rows(image, channels) : filtered_rows(image, channels), fast ? kFastLevel : kSmallLevel);
+  const Deflated compressed = deflate(fast ? unfiltered_rows(image, channels) : filtered_rows(image, channels),
+                                      fast ? kFastLevel : kSmallLevel);
 
   std::vector<uint8_t> header;
   append_u32(header, image.width);
@@ -151,9 +158,9 @@ std::vector<uint8_t> encode_png(const ImageRgba8& image, PngEffort effort) {
   header.insert(header.end(), {8, colour_type, 0, 0, 0});  // bits, colour, deflate, adaptive filters, not interlaced
 
   std::vector<uint8_t> file(kSignature.begin(), kSignature.end());
-  file.reserve(compressed.size() + 64);
+  file.reserve(compressed.size + 64);
   append_chunk(file, "IHDR", header);
-  append_chunk(file, "IDAT", compressed);
+  append_chunk(file, "IDAT", {compressed.bytes.get(), compressed.size});
   append_chunk(file, "IEND", {});
   return file;
 }

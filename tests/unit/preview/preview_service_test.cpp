@@ -89,7 +89,8 @@ class Client {
   uint64_t model_ = 0;
   std::vector<Frame> frames_;
   std::vector<SceneState> states_;
-  PreviewService service_{[this] { wake(); }, render::WorkerOptions{.executable = "/nowhere/texbrdf", .environment = {}}};
+  PreviewService service_{[this] { wake(); },
+                          render::WorkerOptions{.executable = "/nowhere/texbrdf", .environment = {}}};
 };
 
 std::vector<uint8_t> pixels(const Frame& frame) {
