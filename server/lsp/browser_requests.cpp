@@ -15,7 +15,7 @@ namespace {
 constexpr std::string_view kOpenPreviewCommand = "texbrdf.openPreview";
 constexpr int kErrorMessage = 1;
 constexpr int kInfoMessage = 3;
-/// What a browser writes into a document is a value, and no page of text.
+/// What a browser writes into a document is a value in the place of a value, and no page of text.
 constexpr std::size_t kLongestValue = 200;
 
 using ChangesByFile = std::map<std::string, std::vector<const WantedChange*>>;
@@ -128,6 +128,7 @@ void Session::tell_url() {
 
 /// One that is open, or that belongs with one.
 bool Session::is_known_file(std::string_view uri) {
+  documents_.projects().settle();
   if (documents_.find(uri) != nullptr) return true;
   const std::string path = shown_path(uri);
   return std::ranges::any_of(documents_.all(),
@@ -139,8 +140,10 @@ std::optional<std::string> Session::fault_of(const WantedChange& change) {
   if (!is_known_file(change.uri)) return fmt::format("{} is no file of an open document", shown_path(change.uri));
   const bool is_value = change.text.size() <= kLongestValue && change.text.find_first_of("\r\n") == std::string::npos;
   if (!is_value) return "what is to be written is no value";
+  const auto& [start, end] = change.range;
+  if (start.line != end.line || end.column - start.column > kLongestValue) return "what is to be replaced is no value";
   const OpenDocument* const open = documents_.find(change.uri);
-  if (open != nullptr && change.version && change.version != open->version) return "the document has changed since";
+  if (open != nullptr && change.version != open->version) return "the document has changed since";
   return std::nullopt;
 }
 

@@ -8,7 +8,7 @@
 namespace texbrdf::lsp {
 namespace {
 
-constexpr int kNewFileMode = 0644;
+constexpr int kNewFileMode = 0600;  // a log tells where the preview for browsers is
 
 }  // namespace
 

@@ -57,9 +57,8 @@ void Outbox::take_reply(const IncomingMessage& reply) {
   waiting_.erase(found);
   if (reply.result == nullptr) {
     log_.warning(fmt::format("the client refused {}: {}", waiting.method, reply.problem.message));
-  } else if (waiting.on_result) {
-    waiting.on_result(*reply.result);
   }
+  if (waiting.on_result) waiting.on_result(reply.result == nullptr ? nlohmann::json() : *reply.result);
 }
 
 }  // namespace texbrdf::lsp

@@ -26,7 +26,7 @@ class Outbox {
   void connect(Send send) { send_ = std::move(send); }
 
   void notify(std::string_view method, const WriteParams& write_params);
-  /// `on_result` is called with what the client answers, not where it answers with an error or never.
+  /// `on_result` is called with what the client answers, with null where that is an error; not where it never answers.
   void request(std::string_view method, const WriteParams& write_params, OnResult on_result = {});
   void request(std::string_view method, OnResult on_result = {}) { request(method, nullptr, std::move(on_result)); }
 

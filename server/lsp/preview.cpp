@@ -9,6 +9,9 @@
 namespace texbrdf::lsp {
 namespace {
 
+/// Of parameters that are set in one preview.
+constexpr std::size_t kMostValues = 10'000;
+
 std::string unknown_preview(int64_t id) {
   return fmt::format("there is no preview {}", id);
 }
@@ -102,6 +105,8 @@ std::string Session::set_parameter(const SetParameterParams& params) {
   OpenPreview* const preview = previews_.find(params.preview);
   if (preview == nullptr) return unknown_preview(params.preview);
   if (params.value) {
+    const bool are_many = preview->values.size() >= kMostValues && !preview->values.contains(params.name);
+    if (are_many) return "too many parameters";
     preview->values[params.name] = *params.value;
   } else {
     preview->values.erase(params.name);

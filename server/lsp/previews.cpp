@@ -95,8 +95,10 @@ void Previews::close_all_of(ViewerId viewer) {
 }
 
 void Previews::clear() {
+  for (const auto& [id, preview] : previews_) {
+    if (service_) service_->close(id);
+  }
   previews_.clear();
-  service_.reset();
 }
 
 void Previews::show(int64_t id, const OpenPreview& preview, const Snapshot& snapshot, int64_t version) {

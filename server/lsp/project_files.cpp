@@ -40,6 +40,7 @@ void Session::notice_projects() {
   projects.settle();
   if (projects.last_state() == seen_state_) return;
   seen_state_ = projects.last_state();
+  previews_.note_change();
   for (auto& [uri, open] : documents_.all()) {
     const uint64_t state = open.document.project().state;
     if (open.shown_state != 0 && open.shown_state != state) open.published = false;

@@ -80,7 +80,10 @@ class Session {
   /// The parameters of the next `publishDiagnostics` to send. Precondition: has_publications().
   void write_next_publication(JsonWriter& out);
   /// After a fault, which may have left anything broken behind but the texts.
-  void start_anew() { documents_.start_anew(); }
+  void start_anew() {
+    documents_.start_anew();
+    previews_.note_change();
+  }
   void publish_anew() { publish_anew(pushes_diagnostics()); }
   /// While there is nothing else to do.
   void prepare_for_edits() {

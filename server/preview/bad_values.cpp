@@ -40,6 +40,7 @@ std::vector<uint32_t> find_candidates(const CpuModel& model, const render::Spher
       ++counts[*kind];
       candidates.push_back(geometry.pixels[first + i]);
     }
+    return true;
   });
   return candidates;
 }

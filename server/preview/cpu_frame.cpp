@@ -59,17 +59,25 @@ void shade(const CpuModel& model, const render::SphereGeometry& geometry, const 
         .bitangent = pointers(geometry.bitangents, begin),
     };
     model.evaluator.evaluate(batch, model.parameters, {values[0].data(), values[1].data(), values[2].data()});
-    visit(begin, batch.count, shaded);
+    if (!visit(begin, batch.count, shaded)) return;
   }
 }
 
 render::Picture draw_on_cpu(const CpuModel& model, const render::SphereView& view, render::SphereCache& cache) {
+  return *draw_on_cpu(model, view, cache, [] { return true; });
+}
+
+std::optional<render::Picture> draw_on_cpu(const CpuModel& model, const render::SphereView& view,
+                                           render::SphereCache& cache, const std::function<bool()>& is_wanted) {
   const render::SphereGeometry& geometry = cache.geometry(view);
   render::ToneMapper tones(geometry, view);
-  shade(model, geometry, [&tones](std::size_t first, std::size_t count, const render::ShadedValues& values) {
+  bool is_whole = true;
+  shade(model, geometry, [&](std::size_t first, std::size_t count, const render::ShadedValues& values) {
     tones.add(first, count, values);
+    is_whole = is_wanted();
+    return is_whole;
   });
-  return tones.take();
+  return is_whole ? std::optional(tones.take()) : std::nullopt;
 }
 
 }  // namespace texbrdf::preview

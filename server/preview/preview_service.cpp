@@ -1,8 +1,11 @@
 #include "preview/preview_service.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
+#include <exception>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -22,6 +25,8 @@ using Clock = std::chrono::steady_clock;
 constexpr uint32_t kMaxQuickSize = 512;
 constexpr uint32_t kMaxCpuSize = 1024;
 constexpr std::chrono::milliseconds kHeadStart{5};
+/// A picture that takes longer is given up as soon as another is waited for.
+constexpr std::chrono::milliseconds kLongest{500};
 
 /// A scene whose equations are linked.
 struct Drawable {
@@ -47,6 +52,8 @@ struct Slot {
   uint64_t linked = 0;        // serial of the scene that `good` is drawn for
   uint64_t drawn_on_cpu = 0;  // serials
   uint64_t drawn_on_gpu = 0;
+  uint64_t turn_on_cpu = 0;  // when it was drawn last; the one that has waited longest is next
+  uint64_t turn_on_gpu = 0;
   Clock::time_point begin;
   std::shared_ptr<const Drawable> good;  // the last that could be drawn
   bool is_current = true;                // `good` is the scene's own
@@ -146,28 +153,39 @@ class PreviewService::Painter {
     return {preview, slot.serial, slot.scene, slot.good, slot.begin, slot.is_current, max_size};
   }
 
-  std::optional<Work> next_for_cpu() const {
-    for (const auto& [preview, slot] : slots_) {
-      if (slot.drawn_on_cpu < slot.serial) return work_of(preview, slot);
-    }
-    return std::nullopt;
+  std::optional<Work> next_for_cpu() {
+    return next(&Slot::turn_on_cpu, [](const Slot& slot) { return slot.drawn_on_cpu < slot.serial; });
   }
 
-  std::optional<Work> next_for_gpu() const {
+  std::optional<Work> next_for_gpu() {
     if (has_no_gpu_) return std::nullopt;
-    for (const auto& [preview, slot] : slots_) {
-      if (slot.linked == slot.serial && slot.good && slot.drawn_on_gpu < slot.serial) return work_of(preview, slot);
+    return next(&Slot::turn_on_gpu, [](const Slot& slot) {
+      return slot.linked == slot.serial && slot.good && slot.drawn_on_gpu < slot.serial;
+    });
+  }
+
+  template <typename Waits>
+  std::optional<Work> next(uint64_t Slot::* turn, const Waits& waits) {
+    auto first = slots_.end();
+    for (auto slot = slots_.begin(); slot != slots_.end(); ++slot) {
+      if (!waits(slot->second)) continue;
+      if (first == slots_.end() || slot->second.*turn < first->second.*turn) first = slot;
     }
-    return std::nullopt;
+    if (first == slots_.end()) return std::nullopt;
+    first->second.*turn = ++last_turn_;
+    return work_of(first->first, first->second);
   }
 
   void run_cpu() {
     render::SphereCache cache;
     while (std::optional<Work> work = wait_for_work([this] { return next_for_cpu(); })) {
-      link(*work);
-      std::optional<Frame> frame;
-      if (work->drawable) frame = make_frame(*work, Device::Cpu, draw(*work, cache));
-      deposit(*work, Device::Cpu, std::move(frame));
+      try {
+        link(*work);
+        deposit(*work, Device::Cpu, draw_on_cpu(*work, cache));
+      } catch (const std::exception& fault) {
+        give_up(*work, Device::Cpu, fault);
+        tell_fault(*std::move(work));
+      }
     }
   }
 
@@ -197,17 +215,46 @@ class PreviewService::Painter {
     work_.notify_all();
   }
 
-  static render::Picture draw(const Work& work, render::SphereCache& cache) {
+  std::optional<Frame> draw_on_cpu(const Work& work, render::SphereCache& cache) {
+    if (!work.drawable) return std::nullopt;
     render::SphereView view = work.scene->view;
     view.size = std::min(view.size, work.max_size);
-    return draw_on_cpu(work.drawable->cpu, view, cache);
+    const Clock::time_point begin = Clock::now();
+    const auto picture = preview::draw_on_cpu(work.drawable->cpu, view, cache, [&] { return is_wanted(work, begin); });
+    return picture ? std::optional(make_frame(work, Device::Cpu, *picture)) : std::nullopt;
+  }
+
+  bool is_wanted(const Work& work, Clock::time_point begin) {
+    const std::lock_guard lock(mutex_);
+    if (is_ending_ || !slots_.contains(work.preview)) return false;
+    const auto waits = [&](const auto& entry) {
+      const bool is_other = entry.first != work.preview || entry.second.serial != work.serial;
+      return is_other && entry.second.drawn_on_cpu < entry.second.serial;
+    };
+    return Clock::now() - begin < kLongest || std::ranges::none_of(slots_, waits);
   }
 
   void run_gpu() {
     while (std::optional<Work> work = wait_for_work([this] { return next_for_gpu(); })) {
-      give_head_start_to_cpu(*work);
-      deposit(*work, Device::Gpu, draw_on_gpu(*work));
+      try {
+        give_head_start_to_cpu(*work);
+        deposit(*work, Device::Gpu, draw_on_gpu(*work));
+      } catch (const std::exception& fault) {
+        give_up(*work, Device::Gpu, fault);
+      }
     }
+  }
+
+  /// After a fault of ours: the scene has no picture of the device, and all others go on.
+  void give_up(const Work& work, Device device, const std::exception& fault) {
+    note_fault(fmt::format("a picture was given up: {}", fault.what()));
+    deposit(work, device, std::nullopt);
+  }
+
+  void tell_fault(Work work) {
+    work.is_current = false;
+    set_linked(work, SceneState{work.preview, work.scene->version, "an internal error: there is no new picture"});
+    wake_();
   }
 
   /// A renderer in software would take the cores from the picture that comes first.
@@ -286,6 +333,7 @@ class PreviewService::Painter {
   std::map<int64_t, Slot> slots_;
   std::vector<std::string> faults_;
   uint64_t last_serial_ = 0;
+  uint64_t last_turn_ = 0;
   bool is_ending_ = false;
   bool has_no_gpu_ = false;
   std::thread cpu_;

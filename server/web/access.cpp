@@ -11,6 +11,7 @@ namespace {
 constexpr std::size_t kTokenLetters = 22;
 constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
 constexpr std::string_view kOwnScheme = "http://";
+constexpr uint16_t kUsualPort = 80;
 
 }  // namespace
 
@@ -32,6 +33,8 @@ bool is_same_secret(std::string_view given, std::string_view secret) {
 }
 
 bool is_own_host(std::string_view host, uint16_t port) {
+  // Browsers leave out the port that is usual.
+  if (port == kUsualPort && (host == "127.0.0.1" || host == "localhost")) return true;
   return host == fmt::format("127.0.0.1:{}", port) || host == fmt::format("localhost:{}", port);
 }
 

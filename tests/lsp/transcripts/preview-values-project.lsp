@@ -33,4 +33,20 @@ open main.tex
        }
      }
    }
+# That file as an editor has it, and as it is on disk again when the editor gives it up.
+open parts/terms.tex
+| \begin{equation}
+|   d = 3
+| \end{equation}
+<- {
+     "method": "textDocument/publishDiagnostics",
+     "params": {"uri":"parts/terms.tex","version":1,"diagnostics":[]}
+   }
+-> texbrdf/probe {"preview": 1, "x": 0.5, "y": 0.5}
+<- {"id":4,"result":{"light":{"theta":0,"phi":0},"view":{"theta":0,"phi":0},"value":[6]}}
+-> textDocument/didClose {"doc": "parts/terms.tex"}
+<- {"method":"textDocument/publishDiagnostics","params":{"uri":"parts/terms.tex","diagnostics":[]}}
+<- {"method":"textDocument/publishDiagnostics","params":{"uri":"main.tex","version":1,"diagnostics":[]}}
+-> texbrdf/probe {"preview": 1, "x": 0.5, "y": 0.5}
+<- {"id":5,"result":{"light":{"theta":0,"phi":0},"view":{"theta":0,"phi":0},"value":["nan"]}}
 => exit status 1

@@ -28,6 +28,11 @@ class Client {
     Document document(equations);
     service_.show(1, {document.snapshot(), ++model_, version, "", kView, std::move(values)});
   }
+  /// Another preview, of a larger picture.
+  void show_beside(const std::string& equations) {
+    Document document(equations);
+    service_.show(2, {document.snapshot(), ++model_, 1, "", {.size = 512}, {}});
+  }
   void acknowledge() { service_.acknowledge(1); }
 
   /// The next frame; nothing where none comes in time.
@@ -156,6 +161,28 @@ TEST(PreviewService, AGpuThatFailsFirstTakesNoPictureAway) {
     client.show(equation("f = 0.5"), 1);
     ASSERT_TRUE(client.next_frame());
   }
+}
+
+/// Functions that call the one before twice: the last is 2^14 times as long as the first when it is written out.
+std::string slow_equations() {
+  std::string text = equation("g_{0}(x) = x * \\cos{\\theta_h}");
+  for (int i = 1; i <= 14; ++i) {
+    const std::string before = "g_{" + std::to_string(i - 1) + "}";
+    text += equation("g_{" + std::to_string(i) + "}(x) = " + before + "(x + 0.1) + " + before + "(x * 0.9)");
+  }
+  return text + equation("f = g_{14}(\\cos{\\theta_i})");
+}
+
+TEST(PreviewService, ASlowPictureIsGivenUpWhereAnotherIsWaitedFor) {
+  Client client;
+  client.show_beside(slow_equations());
+  const auto slow = client.next_state();
+  ASSERT_TRUE(slow);
+  ASSERT_EQ(slow->problem, "");
+  client.show(equation("f = 0.3"), 1);
+  const auto frame = client.next_frame();
+  ASSERT_TRUE(frame);
+  EXPECT_EQ(frame->preview, 1);
 }
 
 TEST(PreviewService, WhatCannotBeDrawnLeavesTheLastPicture) {

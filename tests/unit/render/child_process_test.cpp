@@ -74,7 +74,7 @@ TEST(ChildProcess, LeavesNeitherProcessNorFileBehind) {
   const auto before = open_files();
   pid_t process = -1;
   {
-    auto child = shell("sleep 60");
+    auto child = shell("exec sleep 60");
     ASSERT_TRUE(child);
     process = child->process_id();
     ChildProcess moved = *std::move(child);

@@ -33,6 +33,7 @@ TEST(Access, SecretsAreTheSameOnlyWhole) {
 TEST(Access, OnlyNamesOfThisMachineAreItsHost) {
   EXPECT_TRUE(is_own_host("127.0.0.1:4321", 4321));
   EXPECT_TRUE(is_own_host("localhost:4321", 4321));
+  EXPECT_TRUE(is_own_host("localhost", 80));
   for (const char* host : {"", "127.0.0.1", "localhost", "127.0.0.1:432", "127.0.0.1:43210", "localhost:4322",
                            "evil.example:4321", "localhost.evil.example:4321", "127.0.0.1:4321.evil.example",
                            "[::1]:4321", "0.0.0.0:4321", "127.0.0.2:4321", "127.1:4321", " localhost:4321"}) {
