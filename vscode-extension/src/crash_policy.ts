@@ -1,9 +1,8 @@
 // When a server that crashed is started again: at once, then after longer and longer pauses, and not after five crashes within a few minutes.
 
-export const mostCrashes = 5;
+const pauses = [0, 500, 1000, 2000]; // ms
+export const mostCrashes = pauses.length + 1;
 export const withinMilliseconds = 3 * 60 * 1000;
-const firstPause = 250;
-const longestPause = 10_000;
 
 export class CrashPolicy {
   private crashes: number[] = [];
@@ -12,9 +11,7 @@ export class CrashPolicy {
   crashed(now: number): number | undefined {
     this.crashes = this.crashes.filter((time) => now - time < withinMilliseconds);
     this.crashes.push(now);
-    if (this.crashes.length >= mostCrashes) return undefined;
-    const earlier = this.crashes.length - 1;
-    return earlier === 0 ? 0 : Math.min(firstPause * 2 ** earlier, longestPause);
+    return pauses[this.crashes.length - 1];
   }
 
   /** Somebody started it on purpose. */

@@ -29,6 +29,7 @@ export function activate(context: vscode.ExtensionContext): void {
     exportCommand(started),
     walkthroughCommands(context),
     vscode.workspace.onDidOpenTextDocument((document) => { startFor(started, [document]); }),
+    vscode.workspace.onDidGrantWorkspaceTrust(() => { if (started.state.kind === 'failed') void started.restart(); }),
     vscode.workspace.onDidChangeConfiguration((event) => {
       const another = ['texbrdf.server.path', 'texbrdf.markdown.enabled'].some((name) => event.affectsConfiguration(name));
       if (another && started.state.kind !== 'stopped') void started.restart();

@@ -6,6 +6,8 @@ export interface Surroundings {
   setting: string;
   extensionFolder: string;
   workspaceFolder: string | undefined;
+  /** Whether programs of the workspace may be run. */
+  isTrusted: boolean;
   platform: NodeJS.Platform;
   isFile: (file: string) => boolean;
 }
@@ -25,7 +27,7 @@ export function serverPath(around: Surroundings): ServerPath {
 
 function expand(setting: string, around: Surroundings): string {
   const inHome = /^~(?=\/|$)/.test(setting) ? homedir() + setting.slice(1) : setting;
-  return around.workspaceFolder === undefined ? inHome : inHome.replaceAll('${workspaceFolder}', around.workspaceFolder);
+  return around.workspaceFolder === undefined || !around.isTrusted ? inHome : inHome.replaceAll('${workspaceFolder}', around.workspaceFolder);
 }
 
 function executable(name: string, platform: NodeJS.Platform): string {

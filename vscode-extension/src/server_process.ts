@@ -22,6 +22,8 @@ export type ServerState =
   | { kind: 'busy'; what: string }
   | { kind: 'failed'; reason: string };
 
+const endsWithin = 500; // ms, once it was told to
+
 export class ServerProcess implements Connection, vscode.Disposable {
   readonly log = vscode.window.createOutputChannel('texbrdf');
   private readonly stateChanged = new vscode.EventEmitter<ServerState>();
@@ -33,7 +35,8 @@ export class ServerProcess implements Connection, vscode.Disposable {
 
   private current: ServerState = { kind: 'stopped' };
   private client: LanguageClient | undefined;
-  /** Grows with each crash and each stop, so that a restart that was overtaken is known. */
+  private process: ChildProcess | undefined;
+  /** Grows with each crash, failure and stop, so that what was overtaken by a later one is known. */
   private turn = 0;
   private readonly crashes = new CrashPolicy();
   /** How the present process ended, as soon as it has. */
@@ -60,6 +63,7 @@ export class ServerProcess implements Connection, vscode.Disposable {
       setting: vscode.workspace.getConfiguration('texbrdf').get<string>('server.path', ''),
       extensionFolder: this.context.extensionPath,
       workspaceFolder: vscode.workspace.workspaceFolders?.[0]?.uri.fsPath,
+      isTrusted: vscode.workspace.isTrusted,
       platform: process.platform,
       isFile,
     });
@@ -72,19 +76,16 @@ export class ServerProcess implements Connection, vscode.Disposable {
   }
 
   async restart(): Promise<void> {
-    await this.stop();
-    await this.start();
+    const turn = await this.end();
+    if (turn === this.turn) await this.start();
   }
 
   async stop(): Promise<void> {
-    ++this.turn;
-    await this.drop();
-    this.become({ kind: 'stopped' });
+    await this.end();
   }
 
   dispose(): void {
-    void this.stop();
-    this.log.dispose();
+    void this.stop().finally(() => { this.log.dispose(); });
   }
 
   async request<M extends keyof Requests>(method: M, params: Requests[M][0]): Promise<Requests[M][1]> {
@@ -93,12 +94,12 @@ export class ServerProcess implements Connection, vscode.Disposable {
   }
 
   notify<M extends keyof Notifications>(method: M, params: Notifications[M]): void {
-    if (this.client !== undefined && this.running) void this.client.sendNotification(method, params);
+    if (this.client !== undefined && this.running) this.client.sendNotification(method, params).catch(() => undefined); // It is gone: that is told of elsewhere.
   }
 
   private async launch(): Promise<void> {
     this.become({ kind: 'starting' });
-    const client = new QuietClient('texbrdf', 'texbrdf', () => this.spawn(), this.options(() => void this.crashed(client)));
+    const client: LanguageClient = new QuietClient('texbrdf', 'texbrdf', () => this.spawn(() => this.client === client), this.options(() => void this.crashed(client)));
     this.client = client;
     client.registerFeature(announceCommands);
     client.onNotification(frameEvent, (frame: FrameParams) => { this.frameArrived.fire(frame); });
@@ -113,19 +114,34 @@ export class ServerProcess implements Connection, vscode.Disposable {
     }
   }
 
+  /** The turn that it took: another one since then, and somebody else decides what comes next. */
+  private async end(): Promise<number> {
+    const turn = ++this.turn;
+    await this.drop();
+    if (turn === this.turn) this.become({ kind: 'stopped' });
+    return turn;
+  }
+
+  /** One that does not end when it is asked to is killed. */
   private async drop(): Promise<void> {
-    const client = this.client;
+    const { client, process, ending } = this;
     this.client = undefined;
-    await client?.dispose().catch(() => undefined);
+    this.process = undefined;
+    const asked = await client?.dispose().then(() => true, () => false);
+    if (process === undefined) return;
+    if (asked === true) await Promise.race([ending, new Promise((resolve) => setTimeout(resolve, endsWithin))]);
+    process.kill('SIGKILL');
   }
 
   private async crashed(client: LanguageClient): Promise<void> {
     if (this.client !== client) return;
     const turn = ++this.turn;
     await this.drop();
+    if (turn !== this.turn) return;
     const pause = this.crashes.crashed(Date.now());
     if (pause === undefined) {
-      await this.fail(`it crashed ${mostCrashes} times, last with ${await this.ending}`);
+      const how = await this.ending;
+      if (turn === this.turn) await this.fail(`it crashed ${mostCrashes} times, last with ${how}`);
       return;
     }
     this.become({ kind: 'starting' });
@@ -162,21 +178,29 @@ export class ServerProcess implements Connection, vscode.Disposable {
     };
   }
 
-  private async spawn(): Promise<ChildProcess> {
+  private async spawn(isWanted: () => boolean): Promise<ChildProcess> {
     const { program, from } = this.locate();
     this.log.appendLine(`Starting ${program} (from ${from})`);
     const server = spawn(program, ['lsp', '--stdio'], { stdio: 'pipe', cwd: vscode.workspace.workspaceFolders?.[0]?.uri.fsPath });
-    this.ending = endingOf(server);
+    const ending = endingOf(server);
     await new Promise<void>((resolve, reject) => {
       server.once('spawn', resolve);
       server.once('error', (error: NodeJS.ErrnoException) => { reject(new NotStarted(whyNotStarted(error, program, from))); });
     });
-    void this.ending.then((how) => { this.log.appendLine(`The server ended with ${how}`); });
+    ending.then((how) => { this.log.appendLine(`The server ended with ${how}`); }).catch(() => undefined); // The log may be gone before.
+    if (!isWanted()) {
+      server.kill('SIGKILL');
+      throw new NotStarted('it is not wanted any more');
+    }
+    this.process = server;
+    this.ending = ending;
     return server;
   }
 
   private async fail(reason: string): Promise<void> {
+    const turn = ++this.turn;
     await this.drop();
+    if (turn !== this.turn) return;
     this.log.appendLine(`The server does not run: ${reason}`);
     this.become({ kind: 'failed', reason });
     void vscode.window.showErrorMessage(`texbrdf does not run: ${reason}`, 'Restart', 'Show log').then((choice) => {

@@ -5,7 +5,7 @@ import { serverPath } from '../src/server_path';
 import type { Surroundings } from '../src/server_path';
 
 const around = (change: Partial<Surroundings>): Surroundings =>
-  ({ setting: '', extensionFolder: '/ext', workspaceFolder: '/papers', platform: 'linux', isFile: () => false, ...change });
+  ({ setting: '', extensionFolder: '/ext', workspaceFolder: '/papers', isTrusted: true, platform: 'linux', isFile: () => false, ...change });
 
 test('the setting comes first', () => {
   assert.deepEqual(serverPath(around({ setting: ' /opt/texbrdf ', isFile: () => true })), { program: '/opt/texbrdf', from: 'setting' });
@@ -15,6 +15,11 @@ test('home and workspace are expanded in the setting', () => {
   assert.equal(serverPath(around({ setting: '~/bin/texbrdf' })).program, `${homedir()}/bin/texbrdf`);
   assert.equal(serverPath(around({ setting: '~other/texbrdf' })).program, '~other/texbrdf');
   assert.equal(serverPath(around({ setting: '${workspaceFolder}/texbrdf' })).program, '/papers/texbrdf');
+});
+
+test('the program of a workspace that is not trusted is not run', () => {
+  const setting = '${workspaceFolder}/texbrdf';
+  assert.deepEqual(serverPath(around({ setting, isTrusted: false })), { program: setting, from: 'setting' });
 });
 
 test('then the program that came with the extension', () => {
