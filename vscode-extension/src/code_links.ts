@@ -2,6 +2,7 @@
 import * as vscode from 'vscode';
 import { placeAt, placeOfLine } from './code_places';
 import type { Place } from './protocol';
+import { wordsOf } from './words_of';
 
 export interface CodeDocuments {
   scheme: string;
@@ -76,12 +77,16 @@ export function linkCode(code: CodeDocuments): vscode.Disposable {
     vscode.window.onDidChangeTextEditorSelection(({ textEditor, kind }) => {
       if (textEditor !== vscode.window.activeTextEditor) return;
       links.follow(textEditor);
-      if (kind === vscode.TextEditorSelectionChangeKind.Mouse && links.isCode(textEditor)) void links.open(textEditor);
+      if (kind === vscode.TextEditorSelectionChangeKind.Mouse && links.isCode(textEditor)) links.open(textEditor).catch(report);
     }),
     vscode.window.onDidChangeVisibleTextEditors(followActive),
     vscode.workspace.onDidChangeTextDocument(({ document }) => { if (document.uri.scheme === code.scheme) followActive(); }),
     code.onDidMake(followActive),
   );
+}
+
+function report(error: unknown): void {
+  void vscode.window.showWarningMessage(`texbrdf: ${wordsOf(error)}`);
 }
 
 function mark(editor: vscode.TextEditor, type: vscode.TextEditorDecorationType, range: vscode.Range | undefined): void {

@@ -7,6 +7,7 @@ import { exportKinds, noRenderer } from './export_kinds';
 import type { ExportKind } from './export_kinds';
 import { standardLook } from './preview/standard_look';
 import type { ServerProcess } from './server_process';
+import { wordsOf } from './words_of';
 
 export function exportCommand(server: ServerProcess): vscode.Disposable {
   return vscode.commands.registerCommand('texbrdf.export', async () => {
@@ -21,7 +22,7 @@ export function exportCommand(server: ServerProcess): vscode.Disposable {
       void vscode.window.showInformationMessage(`texbrdf wrote ${path.basename(target.path)}.`);
     } catch (error) {
       server.log.appendLine(String(error));
-      void vscode.window.showErrorMessage(`texbrdf: ${error instanceof Error ? error.message : String(error)}`);
+      void vscode.window.showErrorMessage(`texbrdf: ${wordsOf(error)}`);
     }
   });
 }

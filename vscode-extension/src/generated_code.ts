@@ -28,6 +28,8 @@ class GeneratedCode implements vscode.TextDocumentContentProvider, CodeDocuments
   readonly onDidMake = this.wasMade.event;
   private readonly made = new Map<string, Made>();
   private readonly soon = new Debounce(quietMilliseconds);
+  /** For each question that is on its way, the sources that changed meanwhile. */
+  private readonly asked = new Set<Set<string>>();
 
   constructor(private readonly api: Api) {}
 
@@ -38,19 +40,27 @@ class GeneratedCode implements vscode.TextDocumentContentProvider, CodeDocuments
   };
 
   async provideTextDocumentContent(uri: vscode.Uri): Promise<string> {
+    const changed = new Set<string>();
+    this.asked.add(changed);
     const answer = await this.api.emit(codeSource(uri.query)).catch((error: unknown) => ({ text: null, problem: wordsOf(error) }));
+    this.asked.delete(changed);
     const key = uri.toString();
     const last = this.made.get(key);
     if (answer?.text !== null && answer?.text !== undefined) this.made.set(key, { text: answer.text, places: normal(answer.places), state: 'good' });
     else if (last !== undefined) this.made.set(key, { ...last, state: 'broken' });
+    if ([...changed].some((source) => this.isMadeOf(uri, source))) {
+      this.outdate(uri);
+      this.refreshSoon();
+    }
     setTimeout(() => { this.wasMade.fire(); }, 0); // The text is shown first.
     return shownCode(answer?.text, answer?.problem, last?.text);
   }
 
   sourceChanged(source: string): void {
+    for (const changed of this.asked) changed.add(source);
     const shown = openCode().filter((uri) => this.isMadeOf(uri, source));
     shown.forEach((uri) => { this.outdate(uri); });
-    if (shown.length > 0) this.soon.run(() => { openCode().filter((uri) => this.places(uri) === undefined).forEach((uri) => { this.changed.fire(uri); }); });
+    if (shown.length > 0) this.refreshSoon();
   }
 
   refreshAll(): void {
@@ -61,6 +71,10 @@ class GeneratedCode implements vscode.TextDocumentContentProvider, CodeDocuments
   forgetClosed(): void {
     const open = new Set(openCode().map(String));
     for (const key of this.made.keys()) if (!open.has(key)) this.made.delete(key);
+  }
+
+  private refreshSoon(): void {
+    this.soon.run(() => { openCode().filter((uri) => this.places(uri) === undefined).forEach((uri) => { this.changed.fire(uri); }); });
   }
 
   /** Also of what its document includes. */
