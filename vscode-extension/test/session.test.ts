@@ -160,3 +160,29 @@ test('another root is drawn, and its parameters are asked for', async () => {
   }
   assert.equal(fake.ofType('document').at(-1)?.root, 'g');
 });
+
+test('what changes while a preview is opened is told when it is there', async () => {
+  const fake = await opened();
+  const opening = fake.show('b.tex');
+  const said = [
+    fake.session.pageSays({ type: 'size', side: 256 }),
+    fake.session.pageSays({ type: 'look', change: { exposure: 3 } }),
+    fake.session.pageSays({ type: 'root', root: 'g' }),
+  ];
+  await Promise.all([opening, ...said]);
+  assert.deepEqual(fake.toldOf('texbrdf/updatePreview'), [{ preview: 2, width: 256, height: 256, ...look, exposure: 3, root: 'g' }]);
+});
+
+test('documents of one name are told apart', async () => {
+  const fake = await opened();
+  await fake.show('other/a.tex');
+  assert.deepEqual(new Set(fake.ofType('document').map(({ uri }) => uri)), new Set(['file:///a.tex', 'file:///other/a.tex']));
+});
+
+test('a parameter that is moved while an earlier value is written keeps its place', async () => {
+  const fake = await opened();
+  const written = fake.session.pageSays({ type: 'write', name: 'm', value: [0.5] });
+  await fake.session.pageSays({ type: 'set', name: 'm', value: [0.75] });
+  await written;
+  assert.deepEqual(fake.toldOf('texbrdf/setParameter'), [{ preview: 1, name: 'm', value: [0.75] }]);
+});

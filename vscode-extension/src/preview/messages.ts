@@ -16,7 +16,7 @@ export interface Picture {
 }
 
 export type ToPage =
-  | { type: 'document'; name: string; version: number; roots: string[]; root: string | null }
+  | { type: 'document'; uri: string; name: string; version: number; roots: string[]; root: string | null }
   | { type: 'version'; version: number }
   | { type: 'look'; look: Look; standard: Look }
   | { type: 'picture'; picture: Picture }

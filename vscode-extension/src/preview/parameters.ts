@@ -21,6 +21,9 @@ export class Parameters {
   /** The values with which the parameters were first seen: what reset brings back. By document and name. */
   private readonly first = new Map<string, number[]>();
 
+  /** How often each was moved, so that a write does not end what was moved after it. */
+  private readonly moves = new Map<string, number>();
+
   constructor(private readonly shown: ShownPreview, private readonly document: Document) {}
 
   get isEmpty(): boolean {
@@ -46,6 +49,7 @@ export class Parameters {
   }
 
   set(name: string, value: number[] | null): void {
+    if (value !== null) this.moves.set(name, (this.moves.get(name) ?? 0) + 1);
     const preview = this.shown.id();
     if (preview !== undefined) this.shown.api.setParameter({ preview, name, value });
   }
@@ -62,9 +66,10 @@ export class Parameters {
   async write(assignments: Assignment[]): Promise<boolean> {
     const uri = this.document.uri();
     if (uri === undefined) return true;
+    const before = new Map(this.moves);
     const written = await this.tryToWrite(uri, assignments) || await this.tryToWrite(uri, assignments);
     if (!written) this.document.report('The document changed meanwhile: the value was not written.');
-    for (const { name } of assignments) this.set(name, null);
+    for (const { name } of assignments) if (this.moves.get(name) === before.get(name)) this.set(name, null);
     return written;
   }
 

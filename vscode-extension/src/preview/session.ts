@@ -117,7 +117,7 @@ export class Session {
     if (state.preview === this.preview && this.pictures.stateArrived(state)) this.refreshSoon();
   }
 
-  /** The page is gone, as when its tab is hidden. What it did not show stays unacknowledged: nothing is drawn for nobody. */
+  /** The page is gone, as when its tab is hidden. What it did not show stays unacknowledged: no picture is sent to nobody. */
   pageLost(): void {
     this.pageReady = false;
     this.readout.pointAt(undefined);
@@ -147,17 +147,30 @@ export class Session {
     const { subject, side } = this;
     if (subject === undefined || side === undefined) return;
     const turn = ++this.turn;
+    const sent = { side, look: this.look, root: subject.root };
     try {
       const { preview } = await this.around.api.openPreview({
         uri: subject.uri, view: 'sphere', width: side, height: side, ...this.rootOption(), ...this.look,
       });
-      if (turn === this.turn) this.preview = preview;
+      if (turn === this.turn) this.opened(preview, sent);
       else this.around.api.closePreview(preview);
     } catch (error) {
-      this.around.post({ type: 'state', state: 'none', message: wordsOf(error) });
+      if (turn === this.turn) this.around.post({ type: 'state', state: 'none', message: wordsOf(error) });
       return;
     }
     if (turn === this.turn) await this.refreshDocument();
+  }
+
+  /** What changed while it was opened is told now. */
+  private opened(preview: number, sent: { side: number; look: Look; root: string | undefined }): void {
+    this.preview = preview;
+    const { side = sent.side, look } = this;
+    const change = {
+      ...(look === sent.look ? {} : look),
+      ...(side === sent.side ? {} : { width: side, height: side }),
+      ...(this.subject?.root === sent.root ? {} : this.rootOption()),
+    };
+    if (Object.keys(change).length > 0) this.update(change);
   }
 
   private rootOption(): { root?: string } {
@@ -187,7 +200,7 @@ export class Session {
     const { subject } = this;
     if (subject === undefined) return;
     const root = subject.root ?? this.roots.root;
-    this.around.post({ type: 'document', name: subject.name, version: subject.version, roots: this.roots.candidates, root });
+    this.around.post({ type: 'document', uri: subject.uri, name: subject.name, version: subject.version, roots: this.roots.candidates, root });
   }
 
   private async resize(side: number): Promise<void> {

@@ -16,5 +16,5 @@ export function onPageMessage(listen: (message: FromPage) => void): void {
 }
 
 export function postToPage(message: ToPage): void {
-  window.dispatchEvent(new MessageEvent('message', { data: message }));
+  window.dispatchEvent(new MessageEvent('message', { data: message, origin: window.origin }));
 }

@@ -10,16 +10,16 @@ import { clearReadout, showDefinitions, showReadout, showRoot, watchReadout } fr
 import { showParameters, watchSliders } from './sliders';
 
 const rootChoice = element<HTMLSelectElement>('root');
-let documentName = '';
+let shownUri = '';
 
-function showDocument({ name, version, roots, root }: ToPage & { type: 'document' }): void {
-  if (name !== documentName) {
+function showDocument({ uri, name, version, roots, root }: ToPage & { type: 'document' }): void {
+  if (uri !== shownUri) {
     forgetPicture();
     unpin();
     clearReadout();
     forgetPlot();
   }
-  documentName = name;
+  shownUri = uri;
   element('name').textContent = name;
   element('rootChoice').hidden = roots.length < 2;
   rootChoice.replaceChildren(...roots.map((candidate) => new Option(candidate, candidate, false, candidate === root)));
@@ -62,7 +62,7 @@ async function copyImage(): Promise<void> {
   await navigator.clipboard.write([new ClipboardItem({ 'image/png': pictureBlob() })]);
 }
 
-window.addEventListener('message', (event: MessageEvent<ToPage>) => { receive(event.data); });
+window.addEventListener('message', (event: MessageEvent<ToPage>) => { if (event.origin === window.origin) receive(event.data); });
 rootChoice.addEventListener('change', () => { tell({ type: 'root', root: rootChoice.value }); });
 element('saveImage').addEventListener('click', () => { tell({ type: 'saveImage' }); });
 element('copyImage').addEventListener('click', () => { copyImage().catch((error: unknown) => { showState('none', `Cannot copy: ${String(error)}`); }); });

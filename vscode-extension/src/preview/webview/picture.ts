@@ -12,11 +12,15 @@ const status = element<HTMLOutputElement>('status');
 let documentVersion = 0;
 let last: Picture | undefined;
 let problem = '';
+/** How often the picture was forgotten: one that was decoded meanwhile is of another document. */
+let forgotten = 0;
 
 export async function showPicture(picture: Picture): Promise<void> {
+  const before = forgotten;
   image.src = `data:image/png;base64,${picture.png}`;
   // Acknowledged also when it cannot be shown: otherwise no other would follow.
   await image.decode().catch(() => undefined);
+  if (forgotten !== before) return;
   image.hidden = false;
   last = picture;
   countBadPixels(picture.badPixels);
@@ -37,6 +41,7 @@ export function showState(state: 'good' | 'errors' | 'none', message: string): v
 }
 
 export function forgetPicture(): void {
+  ++forgotten;
   last = undefined;
   problem = '';
   image.hidden = true;

@@ -99,6 +99,7 @@ function realControls(row: Row): HTMLElement[] {
     move([clamped(rounded(slider.valueAsNumber + steps * step, step), low, high)]);
   });
   slider.addEventListener('keyup', (event) => { if (event.key in keySteps) release(slid()); });
+  slider.addEventListener('blur', () => { if (row.held) release(slid()); });
   number.addEventListener('change', () => { if (Number.isFinite(number.valueAsNumber)) release([number.valueAsNumber]); });
   row.show = ([value = 0]) => {
     slider.valueAsNumber = value;
