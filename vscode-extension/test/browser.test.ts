@@ -11,15 +11,15 @@ import type { Roots } from '../src/protocol';
 /** A server that takes posts when it is told to. */
 class Posts {
   readonly bodies: string[] = [];
-  private answers: ((taken: boolean) => void)[] = [];
+  private answers: ((status: number) => void)[] = [];
 
   readonly outgoing = new Outgoing((address, body) => {
     this.bodies.push(`${address}: ${body}`);
     return new Promise((resolve) => { this.answers.push(resolve); });
   });
 
-  async answer(taken: boolean): Promise<void> {
-    this.answers.shift()?.(taken);
+  async answer(status: number): Promise<void> {
+    this.answers.shift()?.(status);
     await pause(1);
   }
 }
@@ -29,9 +29,9 @@ test('messages are posted one after the other, those that wait together', async 
   posts.outgoing.open('a');
   for (const id of [1, 2, 3]) posts.outgoing.add({ id });
   assert.deepEqual(posts.bodies, ['a: {"id":1}']);
-  await posts.answer(true);
+  await posts.answer(202);
   assert.deepEqual(posts.bodies, ['a: {"id":1}', 'a: {"id":2}\n{"id":3}']);
-  await posts.answer(true);
+  await posts.answer(202);
   assert.equal(posts.bodies.length, 2);
 });
 
@@ -39,9 +39,20 @@ test('what a busy server refuses is posted again', async () => {
   const posts = new Posts();
   posts.outgoing.open('a');
   posts.outgoing.add({ id: 1 });
-  await posts.answer(false);
+  await posts.answer(503);
   await pause(200);
   assert.deepEqual(posts.bodies, ['a: {"id":1}', 'a: {"id":1}']);
+});
+
+test('what the server does not understand is not posted again, and who sent it is told', async () => {
+  const posts = new Posts();
+  const refused: number[] = [];
+  posts.outgoing.open('a');
+  posts.outgoing.add({ id: 1 }, () => refused.push(1));
+  await posts.answer(400);
+  await pause(200);
+  assert.deepEqual(refused, [1]);
+  assert.deepEqual(posts.bodies, ['a: {"id":1}']);
 });
 
 test('messages for a server that is gone are not posted to the next', async () => {
@@ -53,7 +64,7 @@ test('messages for a server that is gone are not posted to the next', async () =
   posts.outgoing.add({ id: 3 });
   posts.outgoing.open('b');
   posts.outgoing.add({ id: 4 });
-  await posts.answer(true);
+  await posts.answer(202);
   assert.deepEqual(posts.bodies, ['a: {"id":1}', 'b: {"id":4}']);
 });
 

@@ -9,8 +9,11 @@ const textFollowsWithin = 1000;
 /** Resolves with undefined when the time is over. */
 function within<T>(milliseconds: number, wait: (found: (value: T) => void) => void): Promise<T | undefined> {
   return new Promise((resolve) => {
-    wait(resolve);
-    setTimeout(() => { resolve(undefined); }, milliseconds);
+    const timer = setTimeout(() => { resolve(undefined); }, milliseconds);
+    wait((value) => {
+      clearTimeout(timer);
+      resolve(value);
+    });
   });
 }
 
@@ -26,10 +29,10 @@ export class Editor {
 
   /** True once the server has the changed text as well, so that no picture of the old one follows. */
   async apply(changes: TextChange[]): Promise<boolean> {
-    const text = within(patience, (found: (value: undefined) => void) => { this.afterNextText.push(() => { found(undefined); }); });
+    const text = new Promise<void>((resolve) => { this.afterNextText.push(resolve); });
     const { edit } = await this.link.request('texbrdf/applyEdit', { changes });
     const applied = await this.outcome(edit);
-    if (applied) await Promise.race([text, new Promise((resolve) => { setTimeout(resolve, textFollowsWithin); })]);
+    if (applied) await within<void>(textFollowsWithin, (found) => { void text.then(found); });
     return applied;
   }
 

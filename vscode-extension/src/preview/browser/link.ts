@@ -53,7 +53,10 @@ export class Link implements Connection {
     const id = ++this.lastId;
     return new Promise((resolve, reject) => {
       this.waiting.set(id, { resolve, reject });
-      this.outgoing.add({ jsonrpc: '2.0', id, method, params });
+      this.outgoing.add({ jsonrpc: '2.0', id, method, params }, () => {
+        this.waiting.delete(id);
+        reject(new Error('texbrdf refused the request'));
+      });
     });
   }
 
@@ -75,7 +78,7 @@ export class Link implements Connection {
   }
 }
 
-async function post(address: string, body: string): Promise<boolean> {
-  const { ok } = await fetch(address, { method: 'POST', headers: { 'Content-Type': 'application/json' }, body });
-  return ok;
+async function post(address: string, body: string): Promise<number> {
+  const { status } = await fetch(address, { method: 'POST', headers: { 'Content-Type': 'application/json' }, body });
+  return status;
 }

@@ -3,10 +3,13 @@
 const retryAfter = 100; // ms
 const mostTogether = 50;
 
-export type Post = (address: string, body: string) => Promise<boolean>;
+/** The status of HTTP; rejects where there is no answer. */
+export type Post = (address: string, body: string) => Promise<number>;
+
+const busy = 503;
 
 export class Outgoing {
-  private waiting: string[] = [];
+  private waiting: { text: string; refused: () => void }[] = [];
   private address: string | undefined;
   private posting = false;
 
@@ -23,9 +26,10 @@ export class Outgoing {
     this.waiting = [];
   }
 
-  add(message: object): void {
+  /** `refused` is called where the server does not take it. */
+  add(message: object, refused: () => void = () => undefined): void {
     if (this.address === undefined) return;
-    this.waiting.push(JSON.stringify(message));
+    this.waiting.push({ text: JSON.stringify(message), refused });
     void this.flush();
   }
 
@@ -36,12 +40,16 @@ export class Outgoing {
     this.posting = false;
   }
 
-  /** The server refuses more while it is busy: the same is tried once more, later. */
+  /** While the server is busy, or not reached, the same is tried once more, later. What it refuses otherwise it would refuse again. */
   private async postSome(address: string): Promise<void> {
     const together = this.waiting.slice(0, mostTogether);
-    const taken = await this.post(address, together.join('\n')).catch(() => false);
+    const status = await this.post(address, together.map(({ text }) => text).join('\n')).catch(() => busy);
     if (this.address !== address) return;
-    if (taken) this.waiting.splice(0, together.length);
-    else await new Promise((resolve) => { setTimeout(resolve, retryAfter); });
+    if (status !== busy) {
+      this.waiting.splice(0, together.length);
+      if (status >= 400) together.forEach(({ refused }) => { refused(); });
+    } else {
+      await new Promise((resolve) => { setTimeout(resolve, retryAfter); });
+    }
   }
 }
