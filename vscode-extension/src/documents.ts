@@ -1,24 +1,34 @@
 // Which documents are ours.
 import * as vscode from 'vscode';
 
+const schemes = ['file', 'untitled'];
 const alwaysOurs = ['latex', 'tex'];
+let lastActive: vscode.TextDocument | undefined;
 
 function languages(): string[] {
   const markdown = vscode.workspace.getConfiguration('texbrdf').get<boolean>('markdown.enabled', false);
   return markdown ? [...alwaysOurs, 'markdown'] : alwaysOurs;
 }
 
-export function documentSelector(): { language: string }[] {
-  return languages().map((language) => ({ language }));
+export function documentSelector(): { scheme: string; language: string }[] {
+  return schemes.flatMap((scheme) => languages().map((language) => ({ scheme, language })));
 }
 
 export function isOurs(document: vscode.TextDocument): boolean {
-  return languages().includes(document.languageId) && !document.uri.scheme.startsWith('git');
+  return vscode.languages.match(documentSelector(), document) > 0;
 }
 
+/** Where no text has the focus, but a pane or the walkthrough, the one that had it last. */
 export function activeDocument(): vscode.TextDocument | undefined {
-  const document = vscode.window.activeTextEditor?.document;
-  return document !== undefined && isOurs(document) ? document : undefined;
+  const editor = vscode.window.activeTextEditor;
+  const document = editor === undefined ? lastActive : editor.document;
+  return document !== undefined && !document.isClosed && isOurs(document) ? document : undefined;
+}
+
+export function watchActiveDocument(): vscode.Disposable {
+  const remember = (editor: vscode.TextEditor | undefined) => { if (editor !== undefined && isOurs(editor.document)) lastActive = editor.document; };
+  remember(vscode.window.activeTextEditor);
+  return vscode.window.onDidChangeActiveTextEditor(remember);
 }
 
 export function findDocument(uri: string): vscode.TextDocument | undefined {

@@ -1,6 +1,6 @@
 // The extension: puts its parts together, and starts the server with the first document that is ours.
 import * as vscode from 'vscode';
-import { isOurs } from './documents';
+import { isOurs, watchActiveDocument } from './documents';
 import { exportCommand } from './export';
 import { showGeneratedCode } from './generated_code';
 import { previewCommands } from './preview/commands';
@@ -21,6 +21,7 @@ export function activate(context: vscode.ExtensionContext): void {
   server = started;
   context.subscriptions.push(
     started, panel,
+    watchActiveDocument(),
     showStatus(started),
     watchRoots(started, api),
     serverCommands(started),

@@ -103,6 +103,7 @@ export class PreviewPanel implements vscode.WebviewPanelSerializer, vscode.Dispo
   }
 
   private async follow(): Promise<void> {
+    if (vscode.window.activeTextEditor === undefined) return; // A pane has the focus.
     const document = activeDocument();
     if (document === undefined || this.session?.uri === document.uri.toString()) return;
     if (this.session === undefined || !vscode.workspace.getConfiguration('texbrdf').get<boolean>('preview.followEditor', true)) return;
