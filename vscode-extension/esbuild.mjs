@@ -14,6 +14,7 @@ async function buildExtension() {
 }
 
 async function buildTests() {
+  rmSync('dist/test', { recursive: true, force: true });
   const tests = readdirSync('test').filter((name) => name.endsWith('.test.ts'));
   await build({ ...node, entryPoints: tests.map((name) => `test/${name}`), outdir: 'dist/test', sourcemap: 'inline' });
 }

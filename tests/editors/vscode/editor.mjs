@@ -34,12 +34,11 @@ async function freePort() {
 export const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 
 /** Waits until what is read is as wanted, and gives it. */
-export async function waitUntil(read, isWanted) {
-  for (let tries = 0; ; ++tries) {
+export async function waitUntil(read, isWanted, complaint = (found) => `it stays ${found}`) {
+  for (const end = Date.now() + patience; ; await pause(50)) {
     const found = await read();
     if (isWanted(found)) return found;
-    if (tries === 100) throw new Error(`it stays ${found}`);
-    await pause(100);
+    if (Date.now() > end) throw new Error(complaint(found));
   }
 }
 
@@ -68,10 +67,7 @@ export class Editor {
     const log = openSync(path.join(this.out, 'server.log'), 'w');
     this.server = spawn(process.execPath, [serverMain, '--host', '127.0.0.1', '--port', new URL(this.url).port, '--without-connection-token',
       '--telemetry-level', 'off', ...folders], { env: environment, detached: true, stdio: ['ignore', log, log] });
-    for (const end = Date.now() + patience; ; await pause(100)) {
-      if (await fetch(this.url).then(() => true, () => false)) return;
-      if (Date.now() > end) throw new Error('VS Code does not answer');
-    }
+    await waitUntil(() => fetch(this.url).then(() => true, () => false), (answers) => answers, () => 'VS Code does not answer');
   }
 
   async startBrowser() {
@@ -84,7 +80,9 @@ export class Editor {
     });
     this.page = this.browser.pages()[0] ?? await this.browser.newPage();
     this.page.setDefaultTimeout(patience);
+    this.violations = [];
     this.page.on('console', (message) => {
+      if (message.text().includes('Content Security Policy')) this.violations.push(`${message.location().url}: ${message.text()}`);
       if (message.type() === 'error') writeFileSync(path.join(this.out, 'console.log'), `${message.text()}\n`, { flag: 'a' });
     });
     await this.page.goto(`${this.url}?folder=${encodeURIComponent(this.workspace)}`);
@@ -146,12 +144,7 @@ export class Editor {
 
   /** The text, as soon as it is as expected. */
   async waitForSource(expected) {
-    for (let tries = 0; ; ++tries) {
-      const text = await this.source();
-      if (expected.test(text)) return text;
-      if (tries === 100) throw new Error(`no ${expected} in\n${text}`);
-      await pause(50);
-    }
+    return waitUntil(() => this.source(), (text) => expected.test(text), (text) => `no ${expected} in\n${text}`);
   }
 
   /** Where a word stands on the screen; `in` is some text of its line. */
@@ -232,8 +225,8 @@ export class Editor {
     await this.page.locator('#status\\.editor\\.selection', { hasText: place }).waitFor();
   }
 
-  /** The page inside the webview: VS Code puts one frame into another. */
+  /** The page inside our webview, for the walkthrough has one too: VS Code puts one frame into another. */
   get webview() {
-    return this.page.frameLocator('iframe.webview.ready').frameLocator('iframe#active-frame');
+    return this.page.frameLocator('iframe.webview.ready[src*="extensionId=texbrdf"]').frameLocator('iframe#active-frame');
   }
 }

@@ -1,6 +1,6 @@
 // What the preview shows, and whether it is what `texbrdf render` makes of the text.
-import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
+import { waitUntil } from './editor.mjs';
 
 const most = 2; // of 255, between a frame and `texbrdf render`
 
@@ -38,11 +38,13 @@ function rendered(program, text, size, options = []) {
 
 /** Waits for a frame that is the one that `texbrdf render` makes of the text. */
 export async function waitForPicture(editor, program, options) {
-  for (let tries = 0; ; ++tries) {
+  await waitUntil(async () => {
     const { png, width } = await frame(editor);
-    const apart = await difference(editor, png, rendered(program, await editor.source(), width, options));
-    if (apart <= most) return;
-    assert.ok(tries < 50, `the picture is ${apart}/255 away from texbrdf render`);
-    await editor.page.waitForTimeout(100);
-  }
+    return difference(editor, png, rendered(program, await editor.source(), width, options));
+  }, (apart) => apart <= most, (apart) => `the picture is ${apart}/255 away from texbrdf render`);
+}
+
+/** Waits for a frame that is another one. */
+export async function waitForOther(editor, { png }) {
+  await waitUntil(async () => difference(editor, png, (await frame(editor)).png), (apart) => apart > 20, (apart) => `the picture is only ${apart}/255 away`);
 }

@@ -51,6 +51,7 @@ try {
     }
   }
   assert.deepEqual([...editor.hosts].filter((host) => host !== '127.0.0.1' && !host.endsWith('.vscode-cdn.net')), [], 'pages asked other hosts');
+  assert.deepEqual(editor.violations, [], 'violations of a content security policy');
 } catch (error) {
   failed += 1;
   say(`FAILED  ${error.message}`);

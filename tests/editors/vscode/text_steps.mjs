@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync, readdirSync, readlinkSync } from 'node:fs';
 import path from 'node:path';
+import { waitUntil } from './editor.mjs';
 
 const wrong = { in: '\\frac' };
 
@@ -94,8 +95,18 @@ export const textSteps = [
       const [first, ...more] = servers(editor);
       assert.ok(first !== undefined && more.length === 0, 'one server');
       process.kill(first, 'SIGKILL');
-      for (let tries = 0; tries < 100 && (servers(editor)[0] ?? first) === first; ++tries) await editor.page.waitForTimeout(100);
-      assert.notEqual(servers(editor)[0], first);
+      await waitUntil(() => servers(editor), ([another]) => another !== undefined && another !== first);
+      await editor.hover('\\rho_d', 'ℝ³', wrong);
+    },
+  },
+  {
+    name: 'a server that hangs is ended by a restart',
+    run: async (editor) => {
+      const [first] = servers(editor);
+      process.kill(first, 'SIGSTOP');
+      await editor.command('texbrdf: Restart server');
+      await waitUntil(() => servers(editor), ([another, ...more]) => another !== undefined && another !== first && more.length === 0);
+      await editor.page.locator('.statusbar-item a[aria-label^="texbrdf: ready"]').waitFor();
       await editor.hover('\\rho_d', 'ℝ³', wrong);
     },
   },
@@ -120,12 +131,17 @@ export const textSteps = [
     run: async (editor, { say }) => {
       await editor.click('0.3', { in: 'k_s' });
       await editor.page.keyboard.press('End');
-      const started = Date.now();
-      for (let round = 0; round < 20; ++round) {
-        await editor.page.keyboard.type('12345678');
-        for (let digit = 0; digit < 8; ++digit) await editor.page.keyboard.press('Backspace');
-      }
-      say(`        320 keys in ${Date.now() - started} ms`);
+      const burst = async () => {
+        const started = Date.now();
+        for (let round = 0; round < 10; ++round) {
+          await editor.page.keyboard.type('12345678');
+          for (let digit = 0; digit < 8; ++digit) await editor.page.keyboard.press('Backspace');
+        }
+        return Date.now() - started;
+      };
+      const first = await burst();
+      await editor.hover('\\rho_d', 'ℝ³', wrong);
+      say(`        320 keys in ${first + await burst()} ms`);
       await editor.page.keyboard.type('\\undefinedname');
       await editor.waitForSquiggles(1);
       for (let letter = 0; letter < 14; ++letter) await editor.page.keyboard.press('Backspace');

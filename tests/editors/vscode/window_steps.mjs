@@ -1,5 +1,5 @@
 // The window as a whole: loaded again; and its first page.
-import { pause, waitUntil } from './editor.mjs';
+import { waitUntil } from './editor.mjs';
 import { frame, waitForPicture } from './pictures.mjs';
 
 const exponent = { in: '% range' };
@@ -10,9 +10,12 @@ export const windowSteps = [
     run: async (editor, { program }) => {
       await editor.click('range', exponent);
       await editor.page.locator('.editor-actions a[aria-label^="Open preview to the side"]').first().click();
+      const kept = editor.webview.locator('body').evaluate(() => new Promise((resolve) => {
+        addEventListener('message', ({ data }) => { if (data.type === 'remember' && data.memory.look.gamma === 3) resolve(); });
+      }));
       await editor.webview.locator('#gamma').fill('3');
+      await kept;
       await waitForPicture(editor, program, ['--gamma', '3']);
-      await pause(500); // It is kept a moment later.
       const loaded = editor.page.waitForEvent('load');
       await editor.command('Developer: Reload Window');
       await loaded;
@@ -22,16 +25,19 @@ export const windowSteps = [
     },
   },
   {
-    name: 'the example of the walkthrough is drawn',
+    name: 'the example of the walkthrough is drawn by its own buttons',
     run: async (editor) => {
-      await editor.click('range', exponent);
+      await editor.command('View: Close All Editors');
       await editor.command('Welcome: Open Walkthrough');
       await editor.pick('From an equation to a sphere');
       await editor.page.locator('.getting-started-step', { hasText: 'Make a mistake' }).first().waitFor();
       await editor.screenshot('walkthrough');
       await editor.page.locator('.getting-started-step').getByText('Open an example').last().click();
       await editor.page.locator('.tab.active[data-resource-name="Untitled-1"]').waitFor();
-      await editor.page.locator('.editor-group-container.active .editor-actions a[aria-label^="Open preview to the side"]').click();
+      await editor.page.locator('.editor-group-container.active .editor-actions a[aria-label^="Open preview to the side"]').waitFor();
+      await editor.page.locator('.tab', { hasText: 'Walkthrough' }).click();
+      await editor.page.locator('.getting-started-step', { hasText: 'See it' }).first().click();
+      await editor.page.locator('.getting-started-step').getByText('Open the preview').last().click();
       await editor.webview.locator('#name', { hasText: 'Untitled-1' }).waitFor();
       await frame(editor);
     },
