@@ -65,12 +65,12 @@ export const valueSteps = [
       await waitUntil(() => curve(editor).getAttribute('d'), (d) => d !== before);
       await waitForPicture(editor, program);
       await editor.webview.locator('#cartesian .curve.pinned').nth(2).waitFor({ state: 'attached' });
-      assert.equal(await editor.webview.locator('#polar .curve').count(), 6);
-      assert.equal(await editor.webview.locator('#pinnedValue').textContent(), `pinned: ${value}`);
-      assert.notEqual(await editor.webview.locator('#cursorValue').textContent(), value);
+      await waitUntil(() => editor.webview.locator('#polar .curve').count(), (count) => count === 6);
+      await waitUntil(() => editor.webview.locator('#pinnedValue').textContent(), (text) => text === `pinned: ${value}`);
+      await waitUntil(() => editor.webview.locator('#cursorValue').textContent(), (text) => text !== value);
       await editor.screenshot('plots-with-a-pinned-state');
       await editor.webview.locator('#pin').click();
-      assert.equal(await editor.webview.locator('#cartesian .curve.pinned').count(), 0);
+      await waitUntil(() => editor.webview.locator('#cartesian .curve.pinned').count(), (count) => count === 0);
       const edited = await curve(editor).getAttribute('d');
       await editor.webview.locator('input[type=range][aria-label="p"]').focus();
       await editor.page.keyboard.down('PageUp');
