@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ir/lower.h"
+#include "ir/written_out.h"
 
 namespace texbrdf::features {
 namespace {
@@ -75,22 +76,6 @@ std::optional<ir::LinkableDefinition> as_definition(const Snapshot& snapshot, co
   return has_brdf_parameters(linkable.signature) ? std::optional(std::move(linkable)) : std::nullopt;
 }
 
-/// The values that flattening would go through. Saturates.
-uint32_t flat_size(const ir::Program& program) {
-  std::vector<uint32_t> sizes;
-  uint64_t total = 0;
-  for (const ir::ProgramDefinition& definition : program.definitions) {
-    uint64_t size = definition.graph.size();
-    for (const ir::Value& value : definition.graph.values()) {
-      if (value.op == ir::Op::Call) size += sizes[value.index];
-    }
-    sizes.push_back(static_cast<uint32_t>(std::min<uint64_t>(size, UINT32_MAX)));
-    const bool is_root = &definition == &program.root();
-    if (is_root || !definition.signature.is_function) total += sizes.back();
-  }
-  return static_cast<uint32_t>(std::min<uint64_t>(total, UINT32_MAX));
-}
-
 }  // namespace
 
 std::optional<Expression> expression_at(const Snapshot& snapshot, uint32_t offset) {
@@ -127,7 +112,7 @@ std::optional<ir::Program> program_of(const Snapshot& snapshot, const Expression
     return values > most_values ? nullptr : found;
   };
   Result<ir::Program> program = ir::link(lookup, root->id, {});
-  if (!program || flat_size(*program) > most_values) return std::nullopt;
+  if (!program || ir::written_out(*program, most_values) > most_values) return std::nullopt;
   return *std::move(program);
 }
 

@@ -12,10 +12,6 @@ namespace {
 /// Of parameters that are set in one preview.
 constexpr std::size_t kMostValues = 10'000;
 
-std::string unknown_preview(int64_t id) {
-  return fmt::format("there is no preview {}", id);
-}
-
 void write_value(JsonWriter& out, const features::ModelParameter& parameter) {
   out.key("value");
   out.begin_array();

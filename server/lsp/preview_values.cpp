@@ -172,10 +172,6 @@ bool has_nothing(const ExactValues& exact) {
   return !exact.source && exact.problem.empty();
 }
 
-ResponseError unknown_preview(int64_t id) {
-  return {ErrorCode::InvalidParams, fmt::format("there is no preview {}", id)};
-}
-
 }  // namespace
 
 /// With its values compiled; nullptr where there is none.
@@ -212,7 +208,7 @@ Session::Outcome Session::quantities(const ModelParams& params, JsonWriter& resu
 
 Session::Outcome Session::probe(const ProbeParams& params, JsonWriter& result) {
   const OpenPreview* const preview = present_preview(params.preview);
-  if (preview == nullptr) return unknown_preview(params.preview);
+  if (preview == nullptr) return ResponseError{ErrorCode::InvalidParams, unknown_preview(params.preview)};
   const auto probe = preview::probe_surface(preview->view, params.place);
   if (probe && !has_nothing(preview->exact)) {
     write_probe(result, preview->exact, *probe, params.definition);
@@ -224,7 +220,7 @@ Session::Outcome Session::probe(const ProbeParams& params, JsonWriter& result) {
 
 Session::Outcome Session::bad_pixels(const PreviewParams& params, JsonWriter& result) {
   const OpenPreview* const preview = present_preview(params.preview);
-  if (preview == nullptr) return unknown_preview(params.preview);
+  if (preview == nullptr) return ResponseError{ErrorCode::InvalidParams, unknown_preview(params.preview)};
   const ExactValues& exact = preview->exact;
   if (has_nothing(exact)) {
     result.null();
@@ -264,7 +260,7 @@ void Session::write_bad_value(JsonWriter& out, const OpenPreview& preview, const
 
 Session::Outcome Session::plot(const PlotParams& params, JsonWriter& result) {
   const OpenPreview* const preview = present_preview(params.preview);
-  if (preview == nullptr) return unknown_preview(params.preview);
+  if (preview == nullptr) return ResponseError{ErrorCode::InvalidParams, unknown_preview(params.preview)};
   const ExactValues& exact = preview->exact;
   if (has_nothing(exact)) {
     result.null();

@@ -1,5 +1,7 @@
 #include "lsp/previews.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -11,6 +13,10 @@ preview::Scene scene_of(const OpenPreview& preview, const Snapshot& snapshot, in
 }
 
 }  // namespace
+
+std::string unknown_preview(int64_t id) {
+  return fmt::format("there is no preview {}", id);
+}
 
 std::optional<std::string> change_view(const ViewChange& change, OpenPreview& preview) {
   constexpr int64_t kMinSize = 16;

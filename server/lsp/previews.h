@@ -33,6 +33,9 @@ struct OpenPreview {
   ExactValues exact = {};
 };
 
+/// What answers who names a preview that there is not.
+std::string unknown_preview(int64_t id);
+
 /// Changes the view; why it cannot be, or nothing. A picture is as large as the smaller side of its pane.
 std::optional<std::string> change_view(const ViewChange& change, OpenPreview& preview);
 

@@ -4,29 +4,13 @@
 #include <utility>
 
 #include "eval/compile.h"
+#include "ir/written_out.h"
 
 namespace texbrdf::preview {
 namespace {
 
 /// Up to here a model is compiled in some 10 ms.
 constexpr uint64_t kMaxWrittenOut = 10'000;
-
-/// How many values flattening writes at most, no further counted than what is too many.
-uint64_t written_out(const ir::Program& program) {
-  constexpr uint64_t kTooMany = kMaxWrittenOut + 1;
-  std::vector<uint64_t> sizes;
-  uint64_t total = 0;
-  for (const ir::ProgramDefinition& definition : program.definitions) {
-    uint64_t size = definition.graph.size();
-    for (const ir::Value& value : definition.graph.values()) {
-      if (value.op == ir::Op::Call) size = std::min(kTooMany, size + sizes[value.index]);
-    }
-    sizes.push_back(size);
-    const bool is_root = &definition == &program.root();
-    if (is_root || !definition.signature.is_function) total = std::min(kTooMany, total + size);
-  }
-  return total;
-}
 
 /// Where the flattened graph of all plain definitions has the value of each definition; functions have none.
 std::vector<std::size_t> roots_of(const ir::Program& program) {
@@ -85,7 +69,8 @@ std::vector<Quantity> quantities(const ir::Program& program) {
 }
 
 Result<ExactModel> ExactModel::compile(ir::Program program) {
-  if (written_out(program) > kMaxWrittenOut) return Failure{"the equations are too large for values at a point"};
+  if (ir::written_out(program, kMaxWrittenOut) > kMaxWrittenOut)
+    return Failure{"the equations are too large for values at a point"};
   Result<ir::Graph> brdf = ir::flatten(program);
   if (!brdf) return Failure{brdf.error()};
   Result<ir::Graph> all = ir::flatten(program, true);

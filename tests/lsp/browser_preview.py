@@ -21,7 +21,19 @@ TEXT = "\\begin{equation}\n  k = 0.25\n\\end{equation}\n\\begin{equation}\n  f =
 PATIENCE = 120  # seconds for everything: a machine may be busy
 
 
-class Editor:
+class Peer:
+    """Who sends messages; those that nobody has waited for yet are kept."""
+
+    def wait(self, fits):
+        for index, message in enumerate(self.kept):
+            if fits(message):
+                return self.kept.pop(index)
+        while not fits(message := self.read()):
+            self.kept.append(message)
+        return message
+
+
+class Editor(Peer):
     """Speaks LSP. Keeps what it did not look for yet."""
 
     def __init__(self, program, log):
@@ -53,19 +65,11 @@ class Editor:
             sys.exit("the server ended")
         return json.loads(self.process.stdout.read(length))
 
-    def wait(self, fits):
-        for index, message in enumerate(self.kept):
-            if fits(message):
-                return self.kept.pop(index)
-        while not fits(message := self.read()):
-            self.kept.append(message)
-        return message
-
     def wait_for(self, method):
         return self.wait(lambda message: message.get("method") == method)
 
 
-class Browser:
+class Browser(Peer):
     """A page with its stream of events."""
 
     def __init__(self, url):
@@ -85,14 +89,6 @@ class Browser:
             data.append(line.removeprefix("data: "))
         assert data, "the stream ended"
         return json.loads("\n".join(data))
-
-    def wait(self, fits):
-        for index, message in enumerate(self.kept):
-            if fits(message):
-                return self.kept.pop(index)
-        while not fits(message := self.read()):
-            self.kept.append(message)
-        return message
 
     def wait_for(self, method):
         return self.wait(lambda message: message.get("method") == method)["params"]

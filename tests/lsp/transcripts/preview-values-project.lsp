@@ -5,15 +5,15 @@ file parts/terms.tex
 | \end{equation}
 client {"capabilities": {}, "rootUri": "file:///work"}
 <- {"id":0,"positionEncoding":"utf-16"}
-open main.tex
+open paper.tex
 | \input{parts/terms}
 | \begin{equation}
 |   f = d * 2
 | \end{equation}
-<- {"method":"textDocument/publishDiagnostics","params":{"uri":"main.tex","version":1,"diagnostics":[]}}
--> texbrdf/openPreview {"uri": "file:///work/main.tex", "width": 64, "height": 64, "light": {"theta": 0, "phi": 0}}
+<- {"method":"textDocument/publishDiagnostics","params":{"uri":"paper.tex","version":1,"diagnostics":[]}}
+-> texbrdf/openPreview {"uri": "file:///work/paper.tex", "width": 64, "height": 64, "light": {"theta": 0, "phi": 0}}
 <- {"id":1,"result":{"preview":1,"root":"f"}}
--> texbrdf/definitions {"uri": "file:///work/main.tex"}
+-> texbrdf/definitions {"uri": "file:///work/paper.tex"}
 <- {"id":2,"result":[{"name":"f","label":"f","type":"real"},{"name":"d","label":"d","type":"real"}]}
 -> texbrdf/badPixels {"preview": 1}
 <- {
@@ -46,7 +46,7 @@ open parts/terms.tex
 <- {"id":4,"result":{"light":{"theta":0,"phi":0},"view":{"theta":0,"phi":0},"value":[6]}}
 -> textDocument/didClose {"doc": "parts/terms.tex"}
 <- {"method":"textDocument/publishDiagnostics","params":{"uri":"parts/terms.tex","diagnostics":[]}}
-<- {"method":"textDocument/publishDiagnostics","params":{"uri":"main.tex","version":1,"diagnostics":[]}}
+<- {"method":"textDocument/publishDiagnostics","params":{"uri":"paper.tex","version":1,"diagnostics":[]}}
 -> texbrdf/probe {"preview": 1, "x": 0.5, "y": 0.5}
 <- {"id":5,"result":{"light":{"theta":0,"phi":0},"view":{"theta":0,"phi":0},"value":["nan"]}}
 => exit status 1
