@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "syntax/verbatim.h"
+
 namespace texbrdf {
 namespace {
 
@@ -180,7 +182,7 @@ class MarkReader {
     } else if (word == "end") {
       return read_end(backslash);
     } else if (word == "verb") {
-      skip_verb();
+      at_ = end_of_verb(text_, at_);
     } else if (const auto include = std::ranges::find(kIncludeWords, word, &IncludeWord::word);
                include != kIncludeWords.end()) {
       read_include(backslash, include->kind);
@@ -254,15 +256,6 @@ class MarkReader {
     end += '}';
     const size_t found = text_.find(end, at_);
     at_ = found == std::string_view::npos ? text_.size() : found + end.size();
-  }
-
-  /// `\verb|…|` and `\verb*|…|`, on one line.
-  void skip_verb() {
-    if (at_ < text_.size() && text_[at_] == '*') ++at_;
-    if (at_ >= text_.size() || is_line_end(text_[at_])) return;
-    const char delimiter = text_[at_++];
-    while (at_ < text_.size() && text_[at_] != delimiter && !is_line_end(text_[at_])) ++at_;
-    if (at_ < text_.size() && text_[at_] == delimiter) ++at_;
   }
 
   std::string_view text_;

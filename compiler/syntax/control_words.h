@@ -15,6 +15,7 @@ enum class WordMeaning : uint8_t {
   Text,              ///< with the brace group behind it one token
   Vec,
   Environment,  ///< \begin
+  Verbatim,     ///< \verb
 };
 
 struct ControlWord {

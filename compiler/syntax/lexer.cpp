@@ -6,6 +6,7 @@
 
 #include "source/utf8.h"
 #include "syntax/control_words.h"
+#include "syntax/verbatim.h"
 
 namespace texbrdf {
 namespace {
@@ -192,6 +193,9 @@ class Lexer {
         return lex_text(begin);
       case WordMeaning::Environment:
         return lex_environment(begin);
+      case WordMeaning::Verbatim:
+        at_ = static_cast<uint32_t>(end_of_verb(text_, at_));
+        return push(TokenKind::Unknown, begin, at_);
     }
   }
 
@@ -229,7 +233,8 @@ class Lexer {
     push(end ? TokenKind::Text : TokenKind::Unknown, begin, at_);
   }
 
-  /// The end of the brace group that follows after spaces, if one follows and is closed.
+  /// The end of the brace group that follows after spaces, if one follows and is closed. One that holds `\begin` or
+  /// `\verb` is none: what ends blocks is not seen in there, and braces do not count.
   std::optional<uint32_t> end_of_group() {
     uint32_t i = at_;
     while (i < text_.size() && class_of(text_[i]) == CharacterClass::Space) ++i;
@@ -237,6 +242,10 @@ class Lexer {
     for (uint32_t depth = 0; i < text_.size(); ++i) {
       switch (text_[i]) {
         case '\\':
+          if (is_verbatim_at(i + 1)) {
+            an_open_group_was_met_ = true;
+            return std::nullopt;
+          }
           ++i;
           break;
         case '%':
@@ -254,6 +263,13 @@ class Lexer {
     }
     an_open_group_was_met_ = true;
     return std::nullopt;
+  }
+
+  bool is_verbatim_at(uint32_t behind_backslash) const {
+    uint32_t end = behind_backslash;
+    while (end < text_.size() && class_of(text_[end]) == CharacterClass::Letter) ++end;
+    const WordMeaning meaning = find_control_word(text_.substr(behind_backslash, end - behind_backslash)).meaning;
+    return meaning == WordMeaning::Environment || meaning == WordMeaning::Verbatim;
   }
 
   /// `\begin{name}` … `\end{name}` as one token; a comment environment is none.

@@ -16,7 +16,8 @@ struct LexedContent {
 };
 
 /// Splits `content`, a part of `text`, into tokens. Never fails: what is outside the language becomes Unknown tokens of
-/// one code point, `\begin{…}` with its environment one Unknown token, `\text` without its group an Unknown token.
+/// one code point, `\begin{…}` with its environment and `\verb|…|` one Unknown token each, `\text` without its group an
+/// Unknown token.
 LexedContent lex(std::string_view text, Span content, Span end,
                  std::pmr::memory_resource* memory = std::pmr::get_default_resource());
 

@@ -63,6 +63,8 @@ constexpr Case kNames[] = {
     {"\\text{a % }\n}", "Text|\\text{a % }\n}"},
     {"\\text", "Unknown|\\text"},
     {"\\text{a", "Unknown|\\text OpenBrace|{ Word|a"},
+    {"\\text{a\\verb|}|}", "Unknown|\\text OpenBrace|{ Word|a Unknown|\\verb|}| CloseBrace|}"},
+    {"\\label{\\begin{x}}a", "OpenBrace|{ Unknown|\\begin OpenBrace|{ Word|x CloseBrace|} CloseBrace|} Word|a"},
     {"\\textbf{a}", "Macro|\\textbf OpenBrace|{ Word|a CloseBrace|}"},
     {"\\vec{n}", "Vec|\\vec OpenBrace|{ Word|n CloseBrace|}"},
     {"s_\\alpha", "Word|s Underscore|_ Macro|\\alpha"},
@@ -97,6 +99,10 @@ INSTANTIATE_TEST_SUITE_P(Nothing, Lexer, testing::ValuesIn(kNothing));
 
 constexpr Case kUnknown[] = {
     {"a;b", "Word|a Unknown|; Word|b"},
+    {"\\verb|}%\\end{equation}|+1", "Unknown|\\verb|}%\\end{equation}| Plus|+ Number|1"},
+    {"\\verb*{p} + 1\n+ 2", "Unknown|\\verb*{p} + 1 Plus|+ Number|2"},
+    {"\\verb", "Unknown|\\verb"},
+    {"\\verbose", "Macro|\\verbose"},
     {"é", "Unknown|é"},
     {"𝑓", "Unknown|𝑓"},
     {"\\{", "Unknown|\\{"},
