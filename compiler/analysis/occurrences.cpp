@@ -55,16 +55,39 @@ class NameReader {
 // A name that stands in one block of so many, or more, is not looked for block by block.
 constexpr uint32_t kFewest = 16;
 
+std::vector<LocatedBlock> all_blocks(const Snapshot::State& state) {
+  std::vector<LocatedBlock> blocks;
+  blocks.reserve(state.segments.measure().blocks);
+  state.segments.visit_from(0, [&](const Segment& segment, const Segment::Measure& before) {
+    if (segment.block) blocks.push_back(state.located(segment, before));
+    return true;
+  });
+  return blocks;
+}
+
+// Blocks lie all over the memory: waiting for one after the other would take half of the time that a search takes.
+constexpr size_t kAhead = 8;
+
+/// Has what is read of later blocks brought near: first the block, then its names.
+void fetch_behind(std::span<const LocatedBlock> blocks, size_t at) {
+  if (at + 2 * kAhead < blocks.size()) __builtin_prefetch(blocks[at + 2 * kAhead].block->analysed.get());
+  if (at + kAhead >= blocks.size()) return;
+  const AnalysedBlock& next = *blocks[at + kAhead].block->analysed;
+  __builtin_prefetch(next.definitions.data());
+  __builtin_prefetch(next.places.data());
+}
+
 /// Visits the blocks that may hold a name, in document order.
 template <typename Visit>
 void visit_blocks_with(const Snapshot::State& state, NameId name, const Visit& visit) {
   const NameOccurrences& occurrences = *state.occurrences.at(name.value).item;
   const bool is_in_most = occurrences.users.size() > state.segments.measure().blocks / kFewest;
   if (!state.lists_users || is_in_most) {
-    state.segments.visit_from(0, [&](const Segment& segment, const Segment::Measure& before) {
-      if (segment.block) visit(state.located(segment, before));
-      return true;
-    });
+    const std::vector<LocatedBlock> blocks = all_blocks(state);
+    for (size_t i = 0; i < blocks.size(); ++i) {
+      fetch_behind(blocks, i);
+      visit(blocks[i]);
+    }
     return;
   }
   std::vector<BlockLabel> labels;

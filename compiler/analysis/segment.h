@@ -39,6 +39,7 @@ struct PlacedBlock {
   uint32_t demotable = 0;   ///< errors and warnings about its definitions, at most
   uint32_t unused = 0;      ///< definitions in force that nothing mentions
   uint32_t candidates = 0;  ///< definitions in force whose name may be that of a BRDF
+  uint32_t directives = 0;
 };
 
 /// What prose says to texbrdf.
@@ -96,7 +97,7 @@ struct Segment {
     sum.demotable = block->demotable;
     sum.unused = block->unused;
     sum.candidates = block->candidates;
-    if (block->analysed) sum.directives = static_cast<uint32_t>(block->analysed->directives.size());
+    sum.directives = block->directives;
     sum.without_definition = block->definitions.empty() ? 1 : 0;
     sum.last_label = block->label;
     return sum;

@@ -118,6 +118,7 @@ class Update {
       if (definition.in_force && !definition.is_used) ++placed.unused;
       if (definition.in_force && state_.names->traits(block.analysed->defined(i)).may_be_brdf) ++placed.candidates;
     }
+    placed.directives = static_cast<uint32_t>(block.analysed->directives.size());
     placed.analysed = std::move(block.analysed);
     placed.definitions = std::move(block.definitions);
     return placed_.make(std::move(placed));

@@ -15,12 +15,20 @@ Position PositionWalk::at(uint32_t offset) {
       in_chunk > 0 && in_chunk < bytes.size() && bytes[in_chunk] == '\n' && bytes[in_chunk - 1] == '\r';
   if (is_inside_ending) --in_chunk;
 
-  const std::vector<uint16_t>& starts = chunk_.item->line_starts();
-  const auto behind = std::ranges::upper_bound(starts, in_chunk);
-  const uint32_t line = chunk_.before.line_ends + static_cast<uint32_t>(behind - starts.begin());
+  find_line_of(in_chunk);
+  const uint32_t line = chunk_.before.line_ends + lines_begun_;
   const uint32_t columns = chunk_.item->columns_before(in_chunk, unit_);
-  if (behind == starts.begin()) return {line, columns_in_front_of_chunk() + columns};
-  return {line, columns - chunk_.item->columns_before(*std::prev(behind), unit_)};
+  if (lines_begun_ == 0) return {line, columns_in_front_of_chunk() + columns};
+  const uint32_t line_start = chunk_.item->line_starts()[lines_begun_ - 1];
+  return {line, columns - chunk_.item->columns_before(line_start, unit_)};
+}
+
+void PositionWalk::find_line_of(uint32_t in_chunk) {
+  const std::vector<uint16_t>& starts = chunk_.item->line_starts();
+  const bool begins_before = lines_begun_ == 0 || starts[lines_begun_ - 1] <= in_chunk;
+  const bool ends_behind = lines_begun_ == starts.size() || in_chunk < starts[lines_begun_];
+  if (begins_before && ends_behind) return;
+  lines_begun_ = static_cast<uint32_t>(std::ranges::upper_bound(starts, in_chunk) - starts.begin());
 }
 
 bool PositionWalk::is_in_chunk(uint32_t offset) const {
@@ -33,6 +41,7 @@ void PositionWalk::enter_chunk_of(uint32_t offset) {
   chunk_ = chunks.find([&](const TextChunk::Measure& sum) { return sum.bytes > offset; });
   if (chunk_.item == nullptr && !chunks.empty()) chunk_ = chunks.at(chunks.size() - 1);
   columns_in_front_.reset();
+  lines_begun_ = 0;
 }
 
 uint32_t PositionWalk::columns_in_front_of_chunk() {

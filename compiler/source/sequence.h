@@ -88,7 +88,8 @@ class Sequence {
   /// Visits the items from `first` on, with the sum of all before each, until `visit(item, before)` gives false.
   template <typename Visit>
   void visit_from(uint32_t first, const Visit& visit) const {
-    visit_node(root_.get(), first, Measure{}, visit);
+    Measure before;
+    visit_node(root_.get(), first, before, visit);
   }
 
   /// Visits the items of the stretches for whose sum `matters(sum)` holds, until `visit(item, before)` gives false.
@@ -229,14 +230,26 @@ class Sequence {
   }
 
   template <typename Visit>
-  static bool visit_node(const Node* node, uint32_t first, const Measure& before, const Visit& visit) {
-    if (node == nullptr || first >= node->size) return true;
+  static bool visit_node(const Node* node, uint32_t first, Measure& before, const Visit& visit) {
+    if (first == 0) return visit_all(node, before, visit);
+    if (node == nullptr) return true;
     const uint32_t left = size_of(node->left);
-    if (first < left && !visit_node(node->left.get(), first, before, visit)) return false;
-    const Measure here = before + measure_of(node->left);
-    if (first <= left && !visit(node->item, here)) return false;
-    const uint32_t rest = first <= left ? 0 : first - left - 1;
-    return visit_node(node->right.get(), rest, here + node->item.measure(), visit);
+    if (first >= left) {
+      before = before + measure_of(node->left);
+    } else if (!visit_node(node->left.get(), first, before, visit)) {
+      return false;
+    }
+    if (first <= left && !visit(node->item, std::as_const(before))) return false;
+    before = before + node->item.measure();
+    return visit_node(node->right.get(), first <= left ? 0 : first - left - 1, before, visit);
+  }
+  /// Reads no sums but those of items: a node is touched once.
+  template <typename Visit>
+  static bool visit_all(const Node* node, Measure& before, const Visit& visit) {
+    if (node == nullptr) return true;
+    if (!visit_all(node->left.get(), before, visit) || !visit(node->item, std::as_const(before))) return false;
+    before = before + node->item.measure();
+    return visit_all(node->right.get(), before, visit);
   }
 
   template <typename Matters, typename Visit>

@@ -5,8 +5,8 @@
 
 namespace texbrdf {
 
-/// Where the text of `\verb|…|` or `\verb*|…|` ends, whose letters end at `behind_word`: behind the second delimiter, or
-/// with its line.
+/// Where the text of `\verb|…|` or `\verb*|…|` ends, whose letters end at `behind_word`: behind the second delimiter,
+/// or with its line.
 size_t end_of_verb(std::string_view text, size_t behind_word);
 
 }  // namespace texbrdf
