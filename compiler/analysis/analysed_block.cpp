@@ -35,9 +35,10 @@ void add_definition(const DefinitionSyntax& syntax, AnalysedBlock& block) {
 }  // namespace
 
 AnalysedBlock analyse_block(std::string_view text, const BlockExtent& extent, NameTable& table,
-                            std::pmr::memory_resource* memory, std::pmr::memory_resource* dense) {
+                            std::pmr::memory_resource* memory, std::pmr::memory_resource* dense,
+                            std::span<const uint32_t> factors) {
   AnalysedBlock block(memory, dense);
-  block.parsed = parse_block(text, extent, memory);
+  block.parsed = parse_block(text, extent, memory, factors);
   block.directives = directives_above(block.parsed.text, extent);
   if (is_ignored(block.directives)) {
     block.parsed.definitions.clear();

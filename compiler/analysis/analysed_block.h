@@ -55,6 +55,7 @@ struct AnalysedBlock {
 };
 
 AnalysedBlock analyse_block(std::string_view text, const BlockExtent& extent, NameTable& table,
-                            std::pmr::memory_resource* memory, std::pmr::memory_resource* dense);
+                            std::pmr::memory_resource* memory, std::pmr::memory_resource* dense,
+                            std::span<const uint32_t> factors = {});
 
 }  // namespace texbrdf

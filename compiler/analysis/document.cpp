@@ -89,6 +89,7 @@ struct Document::State {
     state->names = engine.names;
     state->occurrences = occurrences;
     state->lists_users = engine.lists_users;
+    state->rereadings = engine.rereadings;
     state->cycles = engine.cycles;
     state->directional = engine.directional;
     state->root = engine.root;

@@ -11,6 +11,7 @@
 #include "analysis/project_text.h"
 #include "analysis/segment.h"
 #include "semantics/check.h"
+#include "semantics/factors.h"
 
 namespace texbrdf {
 
@@ -18,6 +19,7 @@ namespace texbrdf {
 /// checking.
 struct NameState {
   NameFact fact;
+  NameKind kind = NameKind::Absent;
   std::vector<NameId> mentions;  ///< kept here too because walks over many definitions are quicker so
   /// Greater than that of every name that the definition mentions, unless it is in a knot; 0 where there is none.
   uint32_t height = 0;
@@ -43,6 +45,7 @@ struct EngineState {
   std::vector<NameState> name_states;        ///< by NameId
   std::vector<NameOccurrences> occurrences;  ///< by NameId
   bool lists_users = false;                  ///< who mentions a name is listed when it is first needed
+  uint64_t rereadings = 0;                   ///< of blocks that were not edited
   DirectionalNames directional;
   RootChoice root;
   /// By NameId, the names that the root needs; nullptr where no report depends on it.

@@ -139,6 +139,10 @@ const NameTable& Snapshot::names() const {
 std::shared_ptr<const NameTable> Snapshot::shared_names() const {
   return state_->names;
 }
+uint64_t Snapshot::rereadings() const {
+  return state_->rereadings;
+}
+
 Counters Snapshot::counters() const {
   return state_->counters;
 }

@@ -147,6 +147,8 @@ class Snapshot {
   /// The same table; a Document keeps it across edits as long as it can.
   std::shared_ptr<const NameTable> shared_names() const;
   Counters counters() const;
+  /// Greater than that of an earlier snapshot where blocks that were not edited have been read in another way since.
+  uint64_t rereadings() const;
 
   /// The absolute range of a location.
   Span absolute(const Location& location) const;

@@ -96,6 +96,7 @@ struct Snapshot::State {
   std::shared_ptr<const NameTable> names;
   OccurrencesByName occurrences;
   bool lists_users = false;
+  uint64_t rereadings = 0;
   std::shared_ptr<const std::vector<Cycle>> cycles;
   std::shared_ptr<NameSuggestions> suggestions;
   Counters counters;

@@ -9,6 +9,7 @@
 #include "analysis/directional_names.h"
 #include "analysis/needed_names.h"
 #include "analysis/root_choice.h"
+#include "analysis/settle_factors.h"
 #include "source/shared_pool.h"
 
 namespace texbrdf {
@@ -25,6 +26,7 @@ class Update {
   UpdateResult run() {
     const std::vector<BlockChange> changes = read_changed_blocks(state_, touched_, blocks_, result_.counters);
     names_ = update_names(state_, changes, is_all_new_);
+    settle_factors(state_, blocks_, names_, result_.counters);
     note_mentions();
     OrderChange order = order_definitions(state_, blocks_, names_.reordered);
     std::vector<NameId> rearranged = names_.reordered;

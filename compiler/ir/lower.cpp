@@ -8,6 +8,7 @@
 #include <string>
 
 #include "source/internal_error.h"
+#include "syntax/control_words.h"
 
 namespace texbrdf::ir {
 
@@ -103,19 +104,22 @@ class Lowering {
         return graph_.add(Op::Negate, {child_value(node, 0)});
       case NodeKind::Infix:
         return infix(node);
+      case NodeKind::Juxtaposition:
+        return graph_.add(Op::Multiply, {child_value(node, 0), child_value(node, 1)});
       case NodeKind::Fraction:
         return graph_.add(Op::Divide, {child_value(node, 0), child_value(node, 1)});
       case NodeKind::Root:
         return root(node);
       case NodeKind::Function:
         return graph_.add(function_op(token(node).command), {child_value(node, 0)});
+      case NodeKind::Inverse:
+        return graph_.add(function_op(inverse_of(token(node).command)), {child_value(node, 0)});
       case NodeKind::Extremum:
         return extremum(node);
       case NodeKind::Apply:
         return call(node);
       case NodeKind::VectorLiteral:
         return graph_.add(Op::MakeVector, {child_value(node, 0), child_value(node, 1), child_value(node, 2)});
-      case NodeKind::Juxtaposition:
       case NodeKind::Error:
       case NodeKind::Signature:
       case NodeKind::Definition:

@@ -31,8 +31,7 @@ struct DefinitionView {
 
   Location at(NodeId id) const { return Location{.file = {}, .block = {}, .span = block.span(id)}; }
   Location at_token(uint32_t index) const { return Location{.file = {}, .block = {}, .span = token(index).span}; }
-  /// `name(` is a call wherever it stands.
-  bool is_callee(NodeId name_node) const { return token(node(name_node).end_token).kind == TokenKind::OpenParen; }
+  bool is_callee(NodeId name_node) const { return block.opens_arguments(node(name_node).end_token); }
   NodeId without_groups(NodeId id) const {
     while (node(id).kind == NodeKind::Group && node(id).child_count == 1) id = block.tree.child(id, 0);
     return id;

@@ -41,8 +41,6 @@ class PossibleTypes {
     return found;
   }
 
-  TypeSet juxtaposition(NodeId) const { return Type::Error; }
-
  private:
   TypeSet checked(TypeSet types) {
     failed_ = failed_ || types.empty();

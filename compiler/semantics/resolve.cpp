@@ -102,7 +102,7 @@ class Resolver {
     if (is_callee == is_function) {
       body_.leaves[slot] = type;
     } else if (is_callee) {
-      report_not_a_function(node);
+      report(Code::NotAFunction, node);
     } else {
       report(Code::FunctionAsValue, node);
     }
@@ -134,13 +134,6 @@ class Resolver {
   void report_repeated(NodeId node, NodeId first) {
     report(Code::RepeatedParameter, node);
     checked_.diagnostics.back().related.push_back({view_.at(first), "first here"});
-  }
-
-  void report_not_a_function(NodeId node) {
-    report(Code::NotAFunction, node);
-    const uint32_t begin = view_.token(view_.node(node).end_token).span.begin;
-    const Location before{.file = {}, .block = {}, .span = {begin, begin}};
-    checked_.diagnostics.back().fixes.push_back({.title = "insert `*`", .edits = {{before, "*"}}});
   }
 
   void report_unknown_command(NodeId node) {

@@ -30,9 +30,8 @@ class OneType {
   using Value = Type;
 
   /// `typed.types` holds the leaves to begin with.
-  OneType(const DefinitionView& view, const ResolvedBody& body, std::span<const Type> parameters,
-          UnknownOperand unknown, TypedBody& typed)
-      : view_(view), body_(body), parameters_(parameters), unknown_(unknown), typed_(typed) {}
+  OneType(const DefinitionView& view, std::span<const Type> parameters, UnknownOperand unknown, TypedBody& typed)
+      : view_(view), parameters_(parameters), unknown_(unknown), typed_(typed) {}
 
   bool stopped() const { return false; }
   Type exactly(Type type) const { return type; }
@@ -44,7 +43,9 @@ class OneType {
       const bool is_known = left != Type::Error && right != Type::Error;
       return is_known ? *found : of_unknown(*found);
     }
-    if (op == Operator::Power) {
+    if (op == Operator::SideBySide) {
+      report_missing_operator(id);
+    } else if (op == Operator::Power) {
       expect_real(id, view_.block.tree.child(id, 0), left);
       expect_real(id, view_.block.tree.child(id, 1), right);
     } else {
@@ -96,16 +97,6 @@ class OneType {
     return is_known ? signature.result : of_unknown(signature.result);
   }
 
-  Type juxtaposition(NodeId id) {
-    const uint32_t second = view_.node(id).token;
-    if (body_.is_skipped(second, second + 1) || follows_reserved_word(id)) return Type::Error;
-    report(Code::MissingOperator, first_place(view_.block.tree.child(id, 1)), {});
-    const uint32_t begin = view_.token(second).span.begin;
-    const Location before{.file = {}, .block = {}, .span = {begin, begin}};
-    typed_.diagnostics.back().fixes.push_back({.title = "insert `*`", .edits = {{before, "*"}}});
-    return Type::Error;
-  }
-
  private:
   Type of_unknown(Type result) {
     typed_.holds_unknown = true;
@@ -114,6 +105,13 @@ class OneType {
 
   void report(Code code, Location where, std::vector<std::string> arguments) {
     typed_.diagnostics.push_back(make_diagnostic(code, where, std::move(arguments)));
+  }
+
+  void report_missing_operator(NodeId id) {
+    report(Code::MissingOperator, first_place(view_.block.tree.child(id, 1)), {});
+    const uint32_t begin = view_.token(view_.node(id).token).span.begin;
+    const Location before{.file = {}, .block = {}, .span = {begin, begin}};
+    typed_.diagnostics.back().fixes.push_back({.title = "insert `\\cdot`", .edits = {{before, "\\cdot "}}});
   }
 
   void expect_real(NodeId id, NodeId operand, Type type) {
@@ -133,16 +131,7 @@ class OneType {
     return view_.node(id).kind == NodeKind::Name ? view_.at(id) : view_.at_token(first_token(id));
   }
 
-  // In `frac{a}{b}` the missing backslash is the only fault: the groups are its operands.
-  bool follows_reserved_word(NodeId id) const {
-    while (view_.node(id).kind == NodeKind::Juxtaposition) id = view_.block.tree.child(id, 0);
-    const Node& first = view_.node(id);
-    const Token& last_token = view_.token(first.end_token - 1);
-    return last_token.kind == TokenKind::Word && is_reserved_word(view_.block.slice(last_token.span));
-  }
-
   const DefinitionView& view_;
-  const ResolvedBody& body_;
   std::span<const Type> parameters_;
   const UnknownOperand unknown_;
   TypedBody& typed_;
@@ -153,7 +142,7 @@ class OneType {
 TypedBody type_body(const DefinitionView& view, const ResolvedBody& body, std::vector<Type> leaves,
                     std::span<const Type> parameters) {
   const auto walk = [&](TypedBody typed, UnknownOperand unknown) {
-    OneType domain(view, body, parameters, unknown, typed);
+    OneType domain(view, parameters, unknown, typed);
     TypeWalk<OneType>(view, body, domain).run(typed.types);
     return typed;
   };

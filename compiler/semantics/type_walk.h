@@ -12,7 +12,7 @@ namespace texbrdf {
 ///   Value exactly(Type), Value parameter(uint32_t position),
 ///   Value binary(NodeId, Operator, Value left, Value right),
 ///   Value real_function(NodeId, const Values&), Value call(NodeId, const Signature&, const Values&),
-///   Value leaf(uint32_t slot), Value juxtaposition(NodeId), bool stopped()
+///   Value leaf(uint32_t slot), bool stopped()
 /// where Values are all values so far by slot.
 template <typename Domain>
 class TypeWalk {
@@ -50,12 +50,13 @@ class TypeWalk {
         return binary(id, values);
       case NodeKind::Root:
       case NodeKind::Function:
+      case NodeKind::Inverse:
       case NodeKind::Extremum:
         return domain_.real_function(id, values);
       case NodeKind::Apply:
         return apply(id, values);
       case NodeKind::Juxtaposition:
-        return domain_.juxtaposition(id);
+        return side_by_side(id, values);
       case NodeKind::Error:
       case NodeKind::Signature:
       case NodeKind::Definition:
@@ -78,6 +79,19 @@ class TypeWalk {
     const std::optional<Operator> op = operator_of(view_.token(view_.node(id).token).kind);
     if (!op || view_.node(id).child_count != 2) return domain_.exactly(Type::Error);
     return domain_.binary(id, *op, child(id, 0, values), child(id, 1, values));
+  }
+
+  // What stands behind an unknown command or a word that lacks its backslash may be its operands.
+  Value side_by_side(NodeId id, const Values& values) {
+    const uint32_t second = view_.node(id).token;
+    if (body_.is_skipped(second, second + 1) || follows_reserved_word(id)) return domain_.exactly(Type::Error);
+    return domain_.binary(id, Operator::SideBySide, child(id, 0, values), child(id, 1, values));
+  }
+
+  bool follows_reserved_word(NodeId id) const {
+    while (view_.node(id).kind == NodeKind::Juxtaposition) id = view_.block.tree.child(id, 0);
+    const Token& last = view_.token(view_.node(id).end_token - 1);
+    return last.kind == TokenKind::Word && is_reserved_word(view_.block.slice(last.span));
   }
 
   Value apply(NodeId id, const Values& values) {

@@ -1,6 +1,8 @@
 #include "syntax/control_words.h"
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 namespace texbrdf {
 namespace {
@@ -49,6 +51,12 @@ bool equal(std::string_view a, std::string_view b) {
   return true;
 }
 
+constexpr std::pair<Command, Command> kInverses[] = {
+    {Command::Sin, Command::Arcsin}, {Command::Cos, Command::Arccos}, {Command::Tan, Command::Arctan},
+    {Command::Arcsin, Command::Sin}, {Command::Arccos, Command::Cos}, {Command::Arctan, Command::Tan},
+    {Command::Exp, Command::Ln},     {Command::Ln, Command::Exp},     {Command::Log, Command::Exp},
+};
+
 }  // namespace
 
 const ControlWord& find_control_word(std::string_view letters) {
@@ -75,6 +83,11 @@ std::string_view command_spelling(Command command) {
 #undef COMMAND
   }
   return {};
+}
+
+Command inverse_of(Command function) {
+  const auto* const entry = std::ranges::find(kInverses, function, &std::pair<Command, Command>::first);
+  return entry == std::end(kInverses) ? Command::None : entry->second;
 }
 
 }  // namespace texbrdf

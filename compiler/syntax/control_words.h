@@ -32,5 +32,7 @@ const ControlWord& find_control_word(std::string_view letters);
 Command find_command(std::string_view letters);
 /// "frac" of Command::Frac; empty for None.
 std::string_view command_spelling(Command command);
+/// The function that `^{-1}` makes of one; None where the language has none.
+Command inverse_of(Command function);
 
 }  // namespace texbrdf

@@ -44,13 +44,18 @@ bool is_plain_name(TokenKind kind) {
 
 }  // namespace
 
-Parser::Part Parser::parse_name_or_call() {
+Parser::Part Parser::parse_name_leaf() {
   const uint32_t first = position_;
   const bool readable = parse_name();
   uint32_t end = position_;
   while (end > first + 1 && tokens_[end - 1].kind == TokenKind::Ampersand) --end;
-  const Part name = leaf(readable ? NodeKind::Name : NodeKind::Error, first, std::max(end, first + 1));
-  if (!at(TokenKind::OpenParen)) return name;
+  return leaf(readable ? NodeKind::Name : NodeKind::Error, first, std::max(end, first + 1));
+}
+
+Parser::Part Parser::parse_name_or_call() {
+  const uint32_t first = position_;
+  const Part name = parse_name_leaf();
+  if (!block_.opens_arguments(position_)) return name;
   const uint32_t opener = advance();
   list_.push_back(name);
   return parse_list(NodeKind::Apply, opener, first, opener);

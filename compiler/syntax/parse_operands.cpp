@@ -1,10 +1,18 @@
+#include "syntax/control_words.h"
 #include "syntax/operators.h"
 #include "syntax/parser.h"
 
 namespace texbrdf {
 namespace {
 
-constexpr uint32_t kNoPower = UINT32_MAX;
+/// `-1`, as it stands above a function for its inverse.
+bool is_minus_one(const ParsedBlock& block, NodeId exponent) {
+  const SyntaxTree& tree = block.tree;
+  while (tree.node(exponent).kind == NodeKind::Group) exponent = tree.child(exponent, 0);
+  if (tree.node(exponent).kind != NodeKind::Prefix) return false;
+  return block.tokens[tree.node(exponent).token].kind == TokenKind::Minus &&
+         block.node_text(tree.child(exponent, 0)) == "1";
+}
 
 }  // namespace
 
@@ -40,43 +48,82 @@ bool Parser::close(uint32_t opener) {
   return false;
 }
 
+/// `\cos x`, `\cos^2 x`, `\cos^{-1} x`.
 Parser::Part Parser::parse_function() {
   const uint32_t command = advance();
-  uint32_t power = kNoPower;
-  const Part operand = parse_function_operand(false, power);
-  const Part function = make(NodeKind::Function, command, command, {operand});
-  if (power != kNoPower && !function.damaged) report_power_in_function(function, power);
-  return function;
+  const uint32_t caret = position_;
+  const bool has_power = at(TokenKind::Caret);
+  Part exponent;
+  if (has_power) exponent = parse_function_power();
+  const bool is_inverse = has_power && !exponent.damaged && is_minus_one(block_, exponent.node);
+  if (is_inverse && inverse_of(tokens_[command].command) == Command::None) report_no_inverse(command, caret);
+
+  FunctionOperand read;
+  const Part operand = parse_function_operand(false, read);
+  const Part function = make(is_inverse ? NodeKind::Inverse : NodeKind::Function, command, command, {operand});
+  if (!function.damaged) report_reading(function, read);
+  if (!has_power || is_inverse) return function;
+  return make(NodeKind::Infix, caret, command, {function, exponent});
 }
 
-/// One primary, or signs and a primary. What is not in brackets takes its power with it; `power` is then that `^`.
-Parser::Part Parser::parse_function_operand(bool behind_sign, uint32_t& power) {
-  if (role_of(kind()).prefix != 0) {
-    if (depth_ >= kMaxTreeHeight) {
-      report_too_deep(position_);
-      return error_here();
-    }
-    ++depth_;
-    const uint32_t sign = advance();
-    const Part operand = parse_function_operand(true, power);
-    --depth_;
-    return make(NodeKind::Prefix, sign, sign, {operand});
-  }
-  const bool in_brackets = at(TokenKind::OpenParen) || at(TokenKind::OpenBrace);
+/// A number, a name or a brace group: `(` behind a name opens the function's operand.
+Parser::Part Parser::parse_function_power() {
+  advance();
+  recovering_ = false;
+  if (at(TokenKind::OpenBrace)) return parse_group();
+  if (at(TokenKind::Word) || at(TokenKind::Macro) || at(TokenKind::Text)) return parse_name_leaf();
+  if (at(TokenKind::Number)) return parse_primary();
+  report_expected(Code::NoExpression);
+  return error_here();
+}
+
+/// Factors side by side, the first perhaps behind signs; or what stands in brackets. What is not in brackets takes its
+/// power with it.
+Parser::Part Parser::parse_function_operand(bool behind_sign, FunctionOperand& read) {
   if (depth_ >= kMaxTreeHeight) {
     report_too_deep(position_);
     return error_here();
   }
   ++depth_;
-  Part operand = parse_primary();
+  Part operand;
+  if (role_of(kind()).prefix != 0) {
+    const uint32_t sign = advance();
+    operand = parse_function_operand(true, read);
+    operand = make(NodeKind::Prefix, sign, sign, {operand});
+  } else {
+    operand = parse_first_factor(behind_sign, read);
+  }
   --depth_;
-  if (!at(TokenKind::Caret) || (in_brackets && !behind_sign)) return operand;
-  power = advance();
-  recovering_ = false;
-  const Part exponent = parse_expression(kPowerOperatorPower);
-  operand = make(NodeKind::Infix, power, first_token(operand), {operand, exponent});
-  report_power_chain(operand);
   return operand;
+}
+
+Parser::Part Parser::parse_first_factor(bool behind_sign, FunctionOperand& read) {
+  const bool in_brackets = at(TokenKind::OpenParen) || at(TokenKind::OpenBrace);
+  Part operand = parse_primary();
+  if (in_brackets && !behind_sign) return operand;
+  if (at(TokenKind::Caret)) {
+    read.power = advance();
+    recovering_ = false;
+    const Part exponent = parse_expression(kPowerOperatorPower);
+    operand = make(NodeKind::Infix, read.power, first_token(operand), {operand, exponent});
+    report_power_chain(operand);
+  }
+  if (in_brackets) return operand;
+  while (continues_function_operand() && !silent_) {
+    if (read.factor == kNone) read.factor = position_;
+    const uint32_t factor = position_;
+    const Part right = parse_expression(kPowerOperatorPower);
+    const bool damage = operand.damaged || right.damaged;
+    operand = make(damage ? NodeKind::Error : NodeKind::Juxtaposition, factor, first_token(operand), {operand, right});
+  }
+  return operand;
+}
+
+/// A name straight behind, as in `\cos n\phi`; a space command between them ends the operand.
+bool Parser::continues_function_operand() const {
+  if (!at(TokenKind::Word) && !at(TokenKind::Macro) && !at(TokenKind::Text) && !at(TokenKind::Vec)) return false;
+  const Span gap = {tokens_[position_ - 1].span.end, tokens_[position_].span.begin};
+  return block_.slice(gap).find('\\') == std::string_view::npos;
 }
 
 Parser::Part Parser::parse_extremum() {

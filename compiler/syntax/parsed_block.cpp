@@ -37,8 +37,10 @@ void report_missing_end(ParsedBlock& block) {
 
 }  // namespace
 
-ParsedBlock parse_block(std::string_view text, const BlockExtent& extent, std::pmr::memory_resource* memory) {
+ParsedBlock parse_block(std::string_view text, const BlockExtent& extent, std::pmr::memory_resource* memory,
+                        std::span<const uint32_t> factors) {
   ParsedBlock block(memory);
+  block.factors.assign(factors.begin(), factors.end());
   block.text = text;
   block.extent = extent;
   const bool closed = extent.ended_by == BlockEnd::Closed;

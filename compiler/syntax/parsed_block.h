@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <memory_resource>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,12 +28,14 @@ struct DefinitionSyntax {
 struct ParsedBlock {
   /// Takes what it holds from `memory`, which has to outlive it.
   explicit ParsedBlock(std::pmr::memory_resource* memory)
-      : text(memory), tokens(memory), comments(memory), tree(memory), definitions(memory) {}
+      : text(memory), tokens(memory), comments(memory), factors(memory), tree(memory), definitions(memory) {}
 
   std::pmr::string text;            ///< the block's own bytes: BlockExtent::whole
   BlockExtent extent;               ///< as scanned; `whole` is then only good for its size
   std::pmr::vector<Token> tokens;   ///< of the content, closed by one End token
   std::pmr::vector<Span> comments;  ///< `%` to the end of the line, for `% range [0, 1]` and `% constant`
+  /// The `(` behind names that open a factor and no arguments, as parse_block was told; in order.
+  std::pmr::vector<uint32_t> factors;
   SyntaxTree tree;
   std::pmr::vector<DefinitionSyntax> definitions;
   std::vector<Diagnostic> diagnostics;  ///< their Location::block is not set yet (0); spans are relative
@@ -44,13 +48,20 @@ struct ParsedBlock {
     return join(tokens[n.first_token].span, tokens[n.end_token - 1].span);
   }
   std::string_view node_text(NodeId id) const { return slice(span(id)); }
+  /// The token is a `(` that opens the arguments of the name before it.
+  bool opens_arguments(uint32_t token) const {
+    return tokens[token].kind == TokenKind::OpenParen && !std::ranges::binary_search(factors, token);
+  }
 };
 
 /// A longer block is not read: it is one error.
 inline constexpr uint32_t kMaxBlockBytes = uint32_t{1} << 20;
 
 /// Lexes and parses one block. Never fails: what cannot be read becomes Error nodes and one diagnostic.
+/// A `(` straight behind a name opens its arguments, unless it is one of `factors` (tokens, in order): `a(b + c)` is a
+/// product where `a` is no function, which only semantics can tell.
 ParsedBlock parse_block(std::string_view text, const BlockExtent& extent,
-                        std::pmr::memory_resource* memory = std::pmr::get_default_resource());
+                        std::pmr::memory_resource* memory = std::pmr::get_default_resource(),
+                        std::span<const uint32_t> factors = {});
 
 }  // namespace texbrdf

@@ -96,11 +96,7 @@ Parser::Part Parser::parse_infix(Part left, uint8_t min_power) {
       if (role.infix == kPowerOperatorPower) report_power_chain(left);
     } else if (role.begins_operand) {
       if (kJuxtapositionPower < min_power) return left;
-      const uint32_t second = position_;
-      const Part right = parse_expression(kJuxtapositionPower + 1);
-      const bool damage = silent_ || left.damaged || right.damaged;
-      if (damage) had_error_ = true;
-      left = make(damage ? NodeKind::Error : NodeKind::Juxtaposition, second, first_token(left), {left, right});
+      left = parse_factor_behind(left);
     } else if (at(TokenKind::Unknown)) {
       if (kJuxtapositionPower < min_power) return left;
       left = parse_unknown_between(left);
@@ -108,6 +104,19 @@ Parser::Part Parser::parse_infix(Part left, uint8_t min_power) {
       return left;
     }
   }
+}
+
+/// A product without an operator.
+Parser::Part Parser::parse_factor_behind(Part left) {
+  const uint32_t second = position_;
+  if (at(TokenKind::Number) && tokens_[second - 1].kind == TokenKind::Number) report_missing_operator(second);
+  const Part right = parse_expression(kJuxtapositionPower + 1);
+  const bool damage = silent_ || left.damaged || right.damaged;
+  if (damage) had_error_ = true;
+  const Part product =
+      make(damage ? NodeKind::Error : NodeKind::Juxtaposition, second, first_token(left), {left, right});
+  if (!product.damaged) report_factor_behind_quotient(product);
+  return product;
 }
 
 /// A character outside the language where an operator could stand: taken for a product's.

@@ -11,7 +11,7 @@
 namespace texbrdf {
 
 /// Parses the tokens of one block into its tree, definitions and diagnostics. It never asks what a name is: operands
-/// side by side become Juxtaposition, a name followed by `(` becomes Apply.
+/// side by side become Juxtaposition, a name followed by `(` becomes Apply unless the block says that it is a factor.
 ///
 /// Recovery: after a problem everything is silent until an operator, comma or closer is read where it belongs, so a
 /// damaged region is reported once. What brackets cannot be paired is known before parsing.
@@ -29,6 +29,13 @@ class Parser {
     uint32_t height = 0;
     bool damaged = false;
   };
+
+  /// How the operand of a function was read, where a reader may see another one.
+  struct FunctionOperand {
+    uint32_t power = kNone;   ///< the `^` that the first factor took with it
+    uint32_t factor = kNone;  ///< the first token of its second factor
+  };
+  static constexpr uint32_t kNone = UINT32_MAX;
 
   // Tokens.
   TokenKind kind() const { return tokens_[position_].kind; }
@@ -58,6 +65,7 @@ class Parser {
   // Expressions (parser.cpp).
   Part parse_expression(uint8_t min_power);
   Part parse_infix(Part left, uint8_t min_power);
+  Part parse_factor_behind(Part left);
   Part parse_unknown_between(Part left);
   Part parse_operand();
   Part parse_prefix();
@@ -67,7 +75,10 @@ class Parser {
   // Operands (parse_operands.cpp).
   Part parse_group();
   Part parse_function();
-  Part parse_function_operand(bool behind_sign, uint32_t& power);
+  Part parse_function_power();
+  Part parse_function_operand(bool behind_sign, FunctionOperand& read);
+  Part parse_first_factor(bool behind_sign, FunctionOperand& read);
+  bool continues_function_operand() const;
   Part parse_extremum();
   Part parse_fraction();
   Part parse_root();
@@ -78,6 +89,7 @@ class Parser {
 
   // Names (parse_names.cpp).
   Part parse_name_or_call();
+  Part parse_name_leaf();
   bool parse_name();
   bool parse_name_base();
   bool parse_vec_name();
@@ -101,7 +113,12 @@ class Parser {
   void report_too_deep(uint32_t token);
   void report_brackets();
   void report_ampersands();
+  void report_missing_operator(uint32_t second);
+  void report_factor_behind_quotient(const Part& product);
   void report_power_in_function(const Part& function, uint32_t power);
+  void report_reading(const Part& function, const FunctionOperand& read);
+  void report_factors_in_function(const Part& function, uint32_t factor);
+  void report_no_inverse(uint32_t command, uint32_t exponent);
   void report_power_chain(const Part& power);
   void check_vector_elements(const Part& vector, bool& damaged);
   bool is_silent_at(uint32_t token) const;

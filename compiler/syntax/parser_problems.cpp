@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "source/utf8.h"
+#include "syntax/operators.h"
 #include "syntax/parser.h"
 
 namespace texbrdf {
@@ -134,6 +135,67 @@ void Parser::report_ampersands() {
         block_.diagnostics.emplace_back(make_diagnostic(Code::IgnoredAmpersand, at_span(token.span)));
     diagnostic.fixes.push_back({"remove `&`", {{at_span(token.span), ""}}});
   }
+}
+
+void Parser::report_missing_operator(uint32_t second) {
+  if (Diagnostic* diagnostic = report(Code::MissingOperator, second)) {
+    const uint32_t begin = tokens_[second].span.begin;
+    diagnostic->fixes.push_back({"insert `\\cdot`", {{at_span({begin, begin}), "\\cdot "}}});
+  }
+}
+
+void Parser::report_no_inverse(uint32_t command, uint32_t exponent) {
+  report(Code::NoInverse, exponent, {shown(command, command + 1)});
+}
+
+/// `1/4\pi`, once for all factors behind the quotient: says what is divided and how the other reading is written.
+void Parser::report_factor_behind_quotient(const Part& product) {
+  const SyntaxTree& tree = block_.tree;
+  if (role_of(kind()).begins_operand || is_silent_at(tree.node(product.node).token)) return;
+  NodeId quotient = product.node;
+  while (tree.node(quotient).kind == NodeKind::Juxtaposition) quotient = tree.child(quotient, 0);
+  const Node& node = tree.node(quotient);
+  if (node.kind != NodeKind::Infix || tokens_[node.token].kind != TokenKind::Divide) return;
+
+  const Span whole = block_.span(product.node);
+  const Span read = block_.span(quotient);
+  const Span below = {block_.span(tree.child(quotient, 1)).begin, whole.end};
+  const std::string grouped = "(" + std::string(block_.slice(read)) + ")";
+  const std::string other = "(" + std::string(block_.slice(below)) + ")";
+  Diagnostic& diagnostic = block_.diagnostics.emplace_back(
+      make_diagnostic(Code::FactorBehindQuotient, at_span(tokens_[node.token].span),
+                      {quote(grouped + std::string(block_.slice({read.end, whole.end}))),
+                       quote(std::string(block_.slice({whole.begin, below.begin})) + other)}));
+  diagnostic.fixes.push_back({"put the quotient in parentheses", {{at_span(read), grouped}}});
+  diagnostic.fixes.push_back({"put all of it below the line", {{at_span(below), other}}});
+}
+
+void Parser::report_reading(const Part& function, const FunctionOperand& read) {
+  const NodeId operand = block_.tree.child(function.node, 0);
+  NodeId first = operand;
+  while (block_.tree.node(first).child_count > 0) first = block_.tree.child(first, 0);
+  if (read.factor == kNone) {
+    if (read.power != kNone) report_power_in_function(function, read.power);
+  } else if (block_.tree.node(first).kind != NodeKind::Number) {
+    report_factors_in_function(function, read.factor);
+  }
+}
+
+/// `\cos n\phi`: says how far the operand goes and how the other reading is written.
+void Parser::report_factors_in_function(const Part& function, uint32_t factor) {
+  if (is_silent_at(factor)) return;
+  const Node& node = block_.tree.node(function.node);
+  const Span operand = block_.span(block_.tree.child(function.node, 0));
+  const Span whole = {tokens_[node.token].span.begin, operand.end};
+  const Span value = {whole.begin, tokens_[factor - 1].span.end};
+  const std::string command(block_.slice({whole.begin, operand.begin}));
+  const std::string grouped_operand = command + "(" + std::string(block_.slice(operand)) + ")";
+  const std::string grouped_value =
+      "(" + std::string(block_.slice(value)) + ")" + std::string(block_.slice({value.end, whole.end}));
+  Diagnostic& diagnostic = block_.diagnostics.emplace_back(make_diagnostic(
+      Code::FactorsInFunction, at_span(tokens_[factor].span), {quote(grouped_operand), quote(grouped_value)}));
+  diagnostic.fixes.push_back({"put the operand in parentheses", {{at_span(whole), grouped_operand}}});
+  diagnostic.fixes.push_back({"end the operand before this", {{at_span(whole), grouped_value}}});
 }
 
 /// `\ln\alpha^2`: says how it is read and how the other reading is written.

@@ -40,7 +40,7 @@ class SourcePrinter {
       case NodeKind::Fraction:
         return print_pair(id, "/");
       case NodeKind::Juxtaposition:
-        return print_juxtaposition(id);
+        return print_pair(id, "*");
       case NodeKind::Root:
         return print_root(id);
       case NodeKind::Function:
@@ -48,6 +48,12 @@ class SourcePrinter {
         write(block_.token_text(node.token));
         write("(");
         print_list(id, 0);
+        return write(")");
+      case NodeKind::Inverse:
+        write("\\");
+        write(command_spelling(inverse_of(block_.tokens[node.token].command)));
+        write("(");
+        print(child(id, 0));
         return write(")");
       case NodeKind::Apply:
       case NodeKind::Signature:
@@ -95,30 +101,6 @@ class SourcePrinter {
     write(between);
     print(child(id, 1));
     write(")");
-  }
-
-  /// A name in front of a bracket would read as a call.
-  void print_juxtaposition(NodeId id) {
-    const NodeKind left = kind_in_groups(child(id, 0));
-    const bool is_bracketed =
-        (left == NodeKind::Name || left == NodeKind::Error) && is_printed_in_brackets(child(id, 1));
-    write(is_bracketed ? "((" : "(");
-    print(child(id, 0));
-    write(is_bracketed ? ") " : " ");
-    print(child(id, 1));
-    write(")");
-  }
-
-  NodeKind kind_in_groups(NodeId id) const {
-    while (tree_.node(id).kind == NodeKind::Group) id = child(id, 0);
-    return tree_.node(id).kind;
-  }
-
-  /// `(a+b)` and the like, which are printed with a bracket in front.
-  bool is_printed_in_brackets(NodeId id) const {
-    const NodeKind kind = kind_in_groups(id);
-    return kind == NodeKind::Prefix || kind == NodeKind::Infix || kind == NodeKind::Fraction ||
-           kind == NodeKind::Juxtaposition;
   }
 
   void print_list(NodeId id, uint32_t first) {

@@ -33,6 +33,7 @@ std::string node_title(const ParsedBlock& block, NodeId id) {
     case NodeKind::Fraction:
     case NodeKind::Root:
     case NodeKind::Function:
+    case NodeKind::Inverse:
     case NodeKind::Extremum:
     case NodeKind::Definition:
       return std::string(block.token_text(node.token));
@@ -42,7 +43,7 @@ std::string node_title(const ParsedBlock& block, NodeId id) {
     case NodeKind::VectorLiteral:
       return "\\vec{ }";
     case NodeKind::Juxtaposition:
-      return "no operator";
+      return "side by side";
     case NodeKind::Error:
       return "error";
   }

@@ -231,10 +231,11 @@ class CaretReader {
   bool is_place_for_name(bool is_in_text) const {
     if (is_foreign_ || std::ranges::any_of(caret_.brackets, is_foreign)) return false;
     if (is_behind_ignored_word()) return false;
+    if (block_.slice(caret_.typed).find_first_of("\r\n") != std::string_view::npos) return false;
     const std::string_view word = block_.slice(caret_.word);
     if (!word.empty() && is_digit(word.front())) return is_subscript_ || is_in_text;
     const bool follows_point = caret_.word.empty() && caret_.offset > 0 && block_.text[caret_.offset - 1] == '.';
-    return !follows_point && block_.slice(caret_.typed).find_first_of("\r\n") == std::string_view::npos;
+    return !follows_point;
   }
 
   /// `\label{eq:` that nobody has closed yet: its brace has become a token.

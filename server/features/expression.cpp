@@ -40,13 +40,14 @@ bool is_compound(NodeKind kind) {
     case NodeKind::Fraction:
     case NodeKind::Root:
     case NodeKind::Function:
+    case NodeKind::Inverse:
     case NodeKind::Extremum:
     case NodeKind::Apply:
     case NodeKind::VectorLiteral:
+    case NodeKind::Juxtaposition:
       return true;
     case NodeKind::Number:
     case NodeKind::Name:
-    case NodeKind::Juxtaposition:
     case NodeKind::Error:
     case NodeKind::Signature:
     case NodeKind::Definition:

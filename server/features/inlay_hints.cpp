@@ -22,6 +22,7 @@ bool is_literal(const ParsedBlock& block, NodeId node) {
     case NodeKind::Fraction:
     case NodeKind::Root:
     case NodeKind::Function:
+    case NodeKind::Inverse:
     case NodeKind::Extremum:
     case NodeKind::Apply:
     case NodeKind::Juxtaposition:

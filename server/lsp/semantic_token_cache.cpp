@@ -53,7 +53,7 @@ std::size_t same_at_back(Entries a, Entries b) {
 
 SemanticTokenCache::Change SemanticTokenCache::update(const Snapshot& snapshot, ColumnUnit unit, uint64_t result_id) {
   const features::HiddenConventions hidden(snapshot);
-  const bool comparable = shown_ && hidden_ == hidden;
+  const bool comparable = shown_ && hidden_ == hidden && shown_->rereadings() == snapshot.rereadings();
   const BlockSplice splice = comparable ? find_splice(*shown_, snapshot, edited_)
                                         : BlockSplice{0, static_cast<uint32_t>(entries_.size()),
                                                       static_cast<uint32_t>(snapshot.blocks().size())};

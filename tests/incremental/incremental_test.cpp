@@ -204,6 +204,9 @@ class Editor {
                                                     "ω",
                                                     "\xff",
                                                     "\n" + block("m = 2"),
+                                                    "\n" + block("m(x) = x"),
+                                                    "m(",
+                                                    "(x) = ",
                                                     "\n" + block("f_r = \\theta_h")};
     const size_t at = below(text_.size() + 1);
     switch (below(5)) {

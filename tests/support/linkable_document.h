@@ -10,6 +10,7 @@
 #include "ir/lower.h"
 #include "ir/program.h"
 #include "semantics/dependency_order.h"
+#include "semantics/factors.h"
 #include "semantics/parameter.h"
 #include "syntax/block_scanner.h"
 
@@ -23,6 +24,7 @@ class LinkableDocument {
     for (const BlockExtent& extent : scan_blocks(text)) {
       blocks_.push_back(parse_block(text.substr(extent.whole.begin, extent.whole.size()), extent));
     }
+    read_factors();
     for (const ParsedBlock& block : blocks_) {
       const BlockNames names = read_names(block, table_);
       for (const DefinitionSyntax& definition : block.definitions) add({&block, &definition, names});
@@ -59,6 +61,24 @@ class LinkableDocument {
     BlockNames names;
     NameId name() const { return names.by_node[syntax->name.value]; }
   };
+
+  void read_factors() {
+    std::map<NameId, NameKind> kinds;
+    for (const ParsedBlock& block : blocks_) {
+      const BlockNames names = read_names(block, table_);
+      for (const DefinitionSyntax& definition : block.definitions) {
+        const bool is_function = definition.left != definition.name;
+        kinds.emplace(names.by_node[definition.name.value], is_function ? NameKind::Function : NameKind::Value);
+      }
+    }
+    const auto kind_of = [&](NameId name) { return kinds.contains(name) ? kinds.at(name) : NameKind::Absent; };
+    for (ParsedBlock& block : blocks_) {
+      const std::vector<uint32_t> factors = find_factors(block, read_names(block, table_), table_, kind_of);
+      if (factors.empty()) continue;
+      const std::string text(block.text);
+      block = parse_block(text, block.extent, std::pmr::get_default_resource(), factors);
+    }
+  }
 
   class KnownSignatures final : public Facts {
    public:

@@ -183,7 +183,7 @@ class RandomDocument {
   std::string real(const Scope& scope, int depth) {
     if (depth == 0 || random_.chance(0.1)) return real_leaf(scope);
     const int next = depth - 1;
-    switch (random_.below(20)) {
+    switch (random_.below(23)) {
       case 0:
         return group(real(scope, next) + " * 0.5 + " + real(scope, next) + "/2");
       case 1:
@@ -223,6 +223,13 @@ class RandomDocument {
                      vector(scope, next) + ") / 3");
       case 18:
         return group(real(scope, next) + " * \\pi / 4");
+      case 19:
+        return group(group(real(scope, next)) + group(real(scope, next)));
+      case 20:
+        return group("\\cos^{" + std::to_string(random_.between(2, 9)) + "}" + angle(scope));
+      case 21:
+        if (scope.reals.empty()) return real_leaf(scope);
+        return group(random_.one_of(scope.reals) + "(" + real(scope, next) + ")");
       default:
         return call(scope, next, false);
     }

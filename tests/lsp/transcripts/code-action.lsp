@@ -36,7 +36,7 @@ open a.tex
 |   \rho_d = 0.5
 | \end{equation}
 | \begin{equation}
-|   f = rho_d * exp(1) + 2 \pi
+|   f = rho_d * exp(1) + 2 3.0
 | \end{equation}
 <- {
      "method": "textDocument/publishDiagnostics",
@@ -125,11 +125,11 @@ open a.tex
          "edit": {"changes":{"file:///work/a.tex":[{"range":"5:15-5:15","newText":"\\"}]}}
        },
        {
-         "title": "insert `*`",
+         "title": "insert `\\cdot`",
          "kind": "quickfix",
          "diagnostics": [{"range":"5:26-5:29","severity":1,"code":"E3012","source":"texbrdf","message":"missing operator"}],
          "isPreferred": true,
-         "edit": {"changes":{"file:///work/a.tex":[{"range":"5:26-5:26","newText":"*"}]}}
+         "edit": {"changes":{"file:///work/a.tex":[{"range":"5:26-5:26","newText":"\\cdot "}]}}
        }
      ]
    }

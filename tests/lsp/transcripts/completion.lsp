@@ -114,7 +114,6 @@ change a.tex 6:22-6:34 "\\omega"
        "version": 2,
        "diagnostics": [
          {"range":"3:3-3:9","severity":4,"code":"E3013","source":"texbrdf","message":"nothing uses `\\rho_d`"},
-         {"range":"6:22-6:30","severity":1,"code":"E3012","source":"texbrdf","message":"missing operator"},
          {
            "range": "9:7-9:9",
            "severity": 1,
@@ -169,7 +168,6 @@ change a.tex 9:7-9:21 "\\vec{}"
        "diagnostics": [
          {"range":"3:3-3:9","severity":4,"code":"E3013","source":"texbrdf","message":"nothing uses `\\rho_d`"},
          {"range":"6:3-6:4","severity":4,"code":"E3013","source":"texbrdf","message":"nothing uses `g`"},
-         {"range":"6:22-6:30","severity":4,"code":"E3012","source":"texbrdf","message":"missing operator"},
          {
            "range": "9:12-9:13",
            "severity": 1,
@@ -241,7 +239,7 @@ change a.tex 9:7-9:21 "\\vec{}"
      "result": {
        "data": {"function":"g","kind":"parameter","uri":"a.tex"},
        "label": "m",
-       "documentation": {"kind":"plaintext","value":"m: ?\n\nparameter of g"}
+       "documentation": {"kind":"plaintext","value":"m: ℝ\n\nparameter of g"}
      }
    }
 -> completionItem/resolve {"label": "\\theta_i", "data": {"uri": "file:///work/a.tex", "kind": "convention", "function": "g"}}

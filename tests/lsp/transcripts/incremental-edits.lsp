@@ -56,8 +56,7 @@ change a.tex 2:1-3:1 "  f =\r\n  oops "
            "code": "E3001",
            "source": "texbrdf",
            "message": "undefined name `oops` in the definition of `f`"
-         },
-         {"range":"3:8-3:9","severity":1,"code":"E3012","source":"texbrdf","message":"missing operator"}
+         }
        ]
      }
    }

@@ -149,7 +149,7 @@ TEST(Diagnostics, FixesMendTheDocument) {
   };
   const Mend mends[] = {
       {{"a = 1", "f = a*pi"}, "replace by `\\pi`", {"a = 1", "f = a*\\pi"}},
-      {{"a = 1", "f = 2a"}, "insert `*`", {"a = 1", "f = 2*a"}},
+      {{"f = 2 3"}, "insert `\\cdot`", {"f = 2 \\cdot 3"}},
       {{"f = exp(1)"}, "write `\\exp`", {"f = \\exp(1)"}},
       {{"g(x) = x \\times \\vec{n}", "f = g(\\vec{h})"},
        "write `\\vec{x}`",

@@ -92,6 +92,20 @@ TEST(Document, ANameThatAppearsMendsItsUsers) {
   EXPECT_EQ(reports(document.snapshot(), Severity::Error).size(), 1u);
 }
 
+TEST(Document, ABracketBehindANameFollowsWhatTheNameIs) {
+  Document document(equations({"k(x) = x + 1", "a = 2k(3)^2", "b = 3 + 4", "c = \\pi(b)", "f = a + b + c"}));
+  const auto value_of_a = [&] { return document.snapshot().constant_value(*document.snapshot().find("a"))->at(0); };
+  EXPECT_EQ(value_of_a(), 32);
+  document.replace(find(document, "k(x) = x + 1"), "k = 5");
+  EXPECT_TRUE(reports(document.snapshot()).empty());
+  EXPECT_EQ(value_of_a(), 90);
+  EXPECT_EQ(document.snapshot().counters().blocks_parsed, 2u) << "that of k, and its user";
+  document.replace(find(document, "k = 5"), "l = 5");
+  EXPECT_EQ(reports(document.snapshot(), Severity::Error).size(), 1u) << "a call of what nobody defines";
+  document.replace(find(document, "l = 5"), "k(t) = 4");
+  EXPECT_EQ(value_of_a(), 32);
+}
+
 TEST(Document, BlocksThatMoveAreKept) {
   Document document(equations({"a = 1", "b = 2", "f = a + b"}));
   document.snapshot();

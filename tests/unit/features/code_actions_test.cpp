@@ -64,8 +64,12 @@ TEST(CodeActions, MendWhatTheyAreFor) {
   const Mend mends[] = {
       {equation("a = 1") + equation("f = a*pi"), "replace by `\\pi`", equation("a = 1") + equation("f = a*\\pi")},
       {equation("f = \\sine(1)"), "replace by `\\sin`", equation("f = \\sin(1)")},
-      {equation("f = 2\\pi"), "insert `*`", equation("f = 2*\\pi")},
-      {equation("k = 2") + equation("f = k(3)"), "insert `*`", equation("k = 2") + equation("f = k*(3)")},
+      {equation("f = 2 3"), "insert `\\cdot`", equation("f = 2 \\cdot 3")},
+      {equation("f = \\vec{n}\\vec{h}"), "insert `\\cdot`", equation("f = \\vec{n}\\cdot \\vec{h}")},
+      {equation("f = 1/4\\pi"), "put all of it below the line", equation("f = 1/(4\\pi)")},
+      {equation("f = 1/4\\pi"), "put the quotient in parentheses", equation("f = (1/4)\\pi")},
+      {equation("f = \\cos\\pi\\theta_i"), "put the operand in parentheses", equation("f = \\cos(\\pi\\theta_i)")},
+      {equation("f = \\cos\\pi\\theta_i"), "end the operand before this", equation("f = (\\cos\\pi)\\theta_i")},
       {equation("f = exp(1)"), "write `\\exp`", equation("f = \\exp(1)")},
       {equation("f = (1 + 2"), "insert `)`", equation("f = (1 + 2)")},
       {equation("f = 1 + 2)"), "remove `)`", equation("f = 1 + 2")},
@@ -132,7 +136,7 @@ TEST(CodeActions, PreferTheOnlyFix) {
 }
 
 TEST(CodeActions, AreForTheProblemsThatTheRangeTouches) {
-  const std::string text = equation("a = exp(1)") + equation("f = 2 a");
+  const std::string text = equation("a = exp(1)") + equation("f = 2 3");
   Document document(text);
   const auto at = [&](std::size_t begin, std::size_t end) {
     return titles(code_actions(document.snapshot(), {static_cast<uint32_t>(begin), static_cast<uint32_t>(end)}));
@@ -141,7 +145,7 @@ TEST(CodeActions, AreForTheProblemsThatTheRangeTouches) {
   EXPECT_EQ(at(word, word), "write `\\exp` !");
   EXPECT_EQ(at(word + 3, word + 3), "write `\\exp` !");
   EXPECT_EQ(at(word + 4, word + 4), "");
-  EXPECT_EQ(at(0, text.size()), "write `\\exp` !, insert `*` !");
+  EXPECT_EQ(at(0, text.size()), "write `\\exp` !, insert `\\cdot` !");
 }
 
 TEST(CodeActions, CarryTheirDiagnostic) {

@@ -169,16 +169,15 @@ INSTANTIATE_TEST_SUITE_P(
         {"unknown command behind an operand", {"a = 2\\foo"}, "?", {"E3003 [\\foo] unknown command `\\foo`"}},
         {"a command that is defined", {"\\foo = 1", "a = \\foo"}, "ℝ", {}},
         {"a command that is a parameter", {"g(\\foo) = \\foo"}, "ℝ → ℝ", {}},
-        {"missing operator", {"a = 2 \\pi"}, "?", {"E3012 [\\pi] missing operator"}},
-        {"missing operator before an undefined name", {"a = 2x"}, "?", {"E3012 [x] missing operator"}},
-        {"missing operators of a chain",
-         {"a = 2 \\pi \\theta_i"},
+        {"two vectors side by side", {"a = \\vec{n}\\vec{h}"}, "?", {"E3012 [\\vec{h}] missing operator"}},
+        {"calling a value with several arguments",
+         {"k = 2", "a = k(3, 4)"},
          "?",
-         {"E3012 [\\pi] missing operator", "E3012 [\\theta_i] missing operator"}},
-        {"missing operator before a bracket", {"a = 2(1 + 3)"}, "?", {"E3012 [(] missing operator"}},
-        {"calling a value", {"k = 2", "a = k(3)"}, "?", {"E3004 [k] `k` is called but is no function"}},
-        {"calling a convention", {"a = \\pi(3)"}, "?", {"E3004 [\\pi] `\\pi` is called but is no function"}},
-        {"calling a parameter", {"g(x) = x(3)"}, "? → ?", {"E3004 [x] `x` is called but is no function"}},
+         {"E3004 [k] `k` is called but is no function"}},
+        {"the power of a function is no call",
+         {"g(x) = x", "a = \\cos^g(1)"},
+         "ℝ",
+         {"E3005 [g] `g` is a function and stands here without arguments"}},
         {"function as a value",
          {"g(x) = x", "a = g + 1"},
          "ℝ",
@@ -197,6 +196,24 @@ INSTANTIATE_TEST_SUITE_P(
          "ℝ³ × ℝ³ → ℝ",
          {"E3011 [\\vec{\\omega_i}] parameter `\\omega_i` stands here for the second time"}},
     }));
+
+INSTANTIATE_TEST_SUITE_P(Products, Check,
+                         testing::ValuesIn(std::vector<Case>{
+                             {"of reals", {"a = 2 \\pi \\theta_i"}, "ℝ", {}},
+                             {"of a real and a vector", {"a = 2 \\vec{n}"}, "ℝ³", {}},
+                             {"of a vector and a real", {"a = \\vec{n} 2"}, "ℝ³", {}},
+                             {"of a number and a bracket", {"a = 2(1 + 3)"}, "ℝ", {}},
+                             {"of a value and a bracket", {"k = 2", "a = k(3)"}, "ℝ", {}},
+                             {"of a convention and a bracket", {"a = \\pi(\\vec{n})"}, "ℝ³", {}},
+                             {"of a parameter and a bracket", {"g(x) = x(3)"}, "ℝ → ℝ", {}},
+                             {"of a parameter that hides a function", {"g(x) = x", "h(g) = g(3)"}, "ℝ → ℝ", {}},
+                             {"a function is called", {"g(x) = \\vec{n}", "a = 2g(3)"}, "ℝ³", {}},
+                             {"in a power", {"k = \\vec{n}", "a = k(3)^2"}, "ℝ³", {}},
+                             {"which a parameter's type follows",
+                              {"g(x) = x(3) + \\vec{n}"},
+                              "ℝ³ → ℝ³",
+                              {"E4005 [x] `x` is taken as a vector; write `\\vec{x}`"}},
+                         }));
 
 INSTANTIATE_TEST_SUITE_P(
     Calls, Check,
@@ -304,12 +321,12 @@ TEST(CheckDefinition, TheVectorFixWrapsEveryOccurrence) {
 }
 
 TEST(CheckDefinition, FixesSayWhatToInsert) {
-  const test::CheckedText product({"a = 2 \\pi"});
+  const test::CheckedText product({"a = \\vec{n} \\vec{h}"});
   ASSERT_EQ(product.last().diagnostics.at(0).fixes.size(), 1u);
-  const Edit& star = product.last().diagnostics[0].fixes[0].edits.at(0);
-  EXPECT_TRUE(star.where.span.empty());
-  EXPECT_EQ(star.where.span.begin, product.last().diagnostics[0].where.span.begin);
-  EXPECT_EQ(star.replacement, "*");
+  const Edit& dot = product.last().diagnostics[0].fixes[0].edits.at(0);
+  EXPECT_TRUE(dot.where.span.empty());
+  EXPECT_EQ(dot.where.span.begin, product.last().diagnostics[0].where.span.begin);
+  EXPECT_EQ(dot.replacement, "\\cdot ");
 
   const test::CheckedText word({"a = \\vec{max}"});
   const Edit& backslash = word.last().diagnostics.at(0).fixes.at(0).edits.at(0);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "semantics/check.h"
+#include "semantics/factors.h"
 #include "syntax/block_scanner.h"
 
 namespace texbrdf::test {
@@ -41,13 +42,23 @@ class CheckedText {
     std::vector<NameFact> facts;
   };
 
+  static NameKind kind_of(const NameFact& fact) {
+    if (fact.kind == NameFact::Kind::Absent) return NameKind::Absent;
+    return fact.signature.is_function ? NameKind::Function : NameKind::Value;
+  }
+
   void add(const std::string& equation) {
     const std::string text = "\\begin{equation}" + equation + "\n\\end{equation}";
     const BlockExtent extent = scan_blocks(text).at(0);
-    blocks_.push_back(std::make_unique<ParsedBlock>(parse_block(text, extent)));
+    const ParsedBlock first = parse_block(text, extent);
+    const BlockNames first_names = read_names(first, table_);
+    known_.facts.resize(table_.size());
+    const std::vector<uint32_t> factors =
+        find_factors(first, first_names, table_, [this](NameId name) { return kind_of(known_.fact(name)); });
+    blocks_.push_back(
+        std::make_unique<ParsedBlock>(parse_block(text, extent, std::pmr::get_default_resource(), factors)));
     const ParsedBlock& block = *blocks_.back();
     const BlockNames names = read_names(block, table_);
-    known_.facts.resize(table_.size());
     checked_.push_back(check_definition(block, block.definitions.at(0), names, table_, known_));
     known_.facts[checked_.back().name.value] = {NameFact::Kind::Defined, checked_.back().signature};
   }

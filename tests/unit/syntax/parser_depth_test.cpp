@@ -48,7 +48,7 @@ constexpr Nesting kNestings[] = {
     {"fractions", "\\frac{1}{", "1", "}", 1},
     {"calls", "g(", "1", ")", 1},
     {"extrema", "\\max(1,", "1", ")", 1},
-    {"juxtaposed", "1 ", "1", "", 1},
+    {"juxtaposed", "x ", "x", "", 1},
     {"vectors", "\\vec{", "n", "}", 1},
     {"subscripts", "x_{", "n", "}", 1},
     {"subscript_groups", "x_{{", "n", "}}", 2},

@@ -104,12 +104,39 @@ constexpr Case kNames[] = {
     {"\\vec{g}(\\vec{x}) = 1", "\\vec{g}(\\vec{x})=1"},
     {"a = \\vec{ 1, -0.5 , +.5}", "a=\\vec{1,-0.5,+.5}"},
     {"a &= 1", "a=1"},
-    {"a = 2x", "a=(2 x)"},
-    {"a = 2x^2y", "a=((2 (x^2)) y)"},
-    {"a = (1)(2)", "a=(1 2)"},
-    {"a = \\foo{1}", "a=(\\foo 1)"},
 };
 INSTANTIATE_TEST_SUITE_P(Names, PrintSource, testing::ValuesIn(kNames));
+
+constexpr Case kProducts[] = {
+    {"a = 2x", "a=(2*x)"},
+    {"a = 2x^2y", "a=((2*(x^2))*y)"},
+    {"a = (1)(2)", "a=(1*2)"},
+    {"a = 2(1+x)^2", "a=(2*((1+x)^2))"},
+    {"a = \\foo{1}", "a=(\\foo*1)"},
+    {"a = -2x", "a=((-2)*x)"},
+    {"a = 1/2x", "a=((1/2)*x)"},
+    {"a = x/yz w", "a=((x/yz)*w)"},
+    {"a = \\frac{1}{2}x", "a=((1/2)*x)"},
+    {"a = x\\sqrt 2y", "a=((x*\\sqrt(2))*y)"},
+    {"a = \\cos x\\sin y", "a=(\\cos(x)*\\sin(y))"},
+    {"a = \\cos 2x", "a=\\cos((2*x))"},
+    {"a = \\cos n\\phi", "a=\\cos((n*\\phi))"},
+    {"a = \\cos n\\phi^2", "a=\\cos((n*(\\phi^2)))"},
+    {"a = \\cos x\\,y", "a=(\\cos(x)*y)"},
+    {"a = \\cos x 2", "a=(\\cos(x)*2)"},
+    {"a = \\cos x(y)", "a=\\cos(x(y))"},
+    {"a = \\cos(x)y", "a=(\\cos(x)*y)"},
+    {"a = \\exp -2x", "a=\\exp((-(2*x)))"},
+    {"a = \\tan^2\\theta/m^2", "a=((\\tan(\\theta)^2)/(m^2))"},
+    {"a = \\cos^2(x)", "a=(\\cos(x)^2)"},
+    {"a = \\cos^{n+1} x y", "a=(\\cos((x*y))^(n+1))"},
+    {"a = \\cos^n(x)", "a=(\\cos(x)^n)"},
+    {"a = \\cos^n x", "a=(\\cos(x)^n)"},
+    {"a = \\cos^{-1} x", "a=\\arccos(x)"},
+    {"a = \\ln^{-1} x", "a=\\exp(x)"},
+    {"a = \\cos^{-2} x", "a=(\\cos(x)^(-2))"},
+};
+INSTANTIATE_TEST_SUITE_P(Products, PrintSource, testing::ValuesIn(kProducts));
 
 /// A random expression with all forms of the language.
 class RandomExpression {
@@ -119,7 +146,11 @@ class RandomExpression {
   std::string make(int depth) {
     if (depth <= 0) return atom();
     const auto sub = [&] { return make(depth - 1 - static_cast<int>(random_.below(2))); };
-    switch (random_.below(12)) {
+    switch (random_.below(14)) {
+      case 12:
+        return "(" + sub() + ")(" + sub() + ")";
+      case 13:
+        return "\\cos^{" + sub() + "}x y";
       case 0:
         return sub() + "+" + sub();
       case 1:
@@ -162,7 +193,15 @@ std::string shape(const ParsedBlock& block, NodeId id) {
   const Node& node = block.tree.node(id);
   if (node.kind == NodeKind::Group) return shape(block, block.tree.child(id, 0));
   std::string text = "(";
-  text += node.kind == NodeKind::Fraction ? "Infix /" : std::string(node_kind_name(node.kind));
+  if (node.kind == NodeKind::Fraction) {
+    text += "Infix /";
+  } else if (node.kind == NodeKind::Juxtaposition) {
+    text += "Infix *";
+  } else if (node.kind == NodeKind::Inverse) {
+    text += "Function";
+  } else {
+    text += node_kind_name(node.kind);
+  }
   if (node.kind == NodeKind::Infix) {
     text +=
         block.tokens[node.token].kind == TokenKind::Multiply ? " *" : " " + std::string(block.token_text(node.token));

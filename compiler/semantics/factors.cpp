@@ -1,0 +1,90 @@
+#include "semantics/factors.h"
+
+#include <algorithm>
+
+#include "syntax/brackets.h"
+
+namespace texbrdf {
+namespace {
+
+/// By token: a `(` with a comma between it and its `)`, outside of inner brackets.
+std::vector<bool> find_lists(std::span<const Token> tokens) {
+  std::vector<bool> is_list(tokens.size());
+  std::vector<uint32_t> open;
+  for (uint32_t i = 0; i < tokens.size(); ++i) {
+    if (is_opener(tokens[i].kind)) {
+      open.push_back(i);
+    } else if (is_closer(tokens[i].kind)) {
+      if (!open.empty()) open.pop_back();
+    } else if (tokens[i].kind == TokenKind::Comma && !open.empty()) {
+      is_list[open.back()] = true;
+    }
+  }
+  return is_list;
+}
+
+class FactorSearch {
+ public:
+  FactorSearch(const ParsedBlock& block, const BlockNames& names, const NameTable& table,
+               const std::function<NameKind(NameId)>& kind_of)
+      : block_(block), names_(names), table_(table), kind_of_(kind_of) {}
+
+  std::vector<uint32_t> run() {
+    for (const DefinitionSyntax& definition : block_.definitions) {
+      for (uint32_t node = definition.left.value + 1; node < definition.body.value + 1; ++node) {
+        const NameId name = names_.by_node[node];
+        if (name.valid()) read(definition, NodeId{node}, name);
+      }
+    }
+    std::ranges::sort(found_);
+    return std::move(found_);
+  }
+
+ private:
+  void read(const DefinitionSyntax& definition, NodeId node, NameId name) {
+    const uint32_t bracket = block_.tree.node(node).end_token;
+    if (block_.tokens[bracket].kind != TokenKind::OpenParen) return;
+    const bool is_factor = is_power_of_function(node) || (is_value(definition, name) && !is_list(bracket));
+    if (is_factor) found_.push_back(bracket);
+  }
+
+  /// `\cos^n(x)`: what follows belongs to the function.
+  bool is_power_of_function(NodeId node) const {
+    const uint32_t first = block_.tree.node(node).first_token;
+    return first >= 2 && block_.tokens[first - 1].kind == TokenKind::Caret &&
+           block_.tokens[first - 2].kind == TokenKind::Function;
+  }
+
+  bool is_value(const DefinitionSyntax& definition, NameId name) const {
+    if (is_parameter(definition, name)) return true;
+    const NameKind kind = kind_of_(name);
+    return kind == NameKind::Value || (kind == NameKind::Absent && table_.traits(name).convention);
+  }
+
+  bool is_parameter(const DefinitionSyntax& definition, NameId name) const {
+    if (definition.left == definition.name) return false;
+    const std::span<const NodeId> parameters = block_.tree.children(definition.left).subspan(1);
+    return std::ranges::any_of(parameters, [&](NodeId node) { return names_.by_node[node.value] == name; });
+  }
+
+  bool is_list(uint32_t bracket) {
+    if (is_list_.empty()) is_list_ = find_lists(block_.tokens);
+    return is_list_[bracket];
+  }
+
+  const ParsedBlock& block_;
+  const BlockNames& names_;
+  const NameTable& table_;
+  const std::function<NameKind(NameId)>& kind_of_;
+  std::vector<bool> is_list_;  // by token, when it is first asked for
+  std::vector<uint32_t> found_;
+};
+
+}  // namespace
+
+std::vector<uint32_t> find_factors(const ParsedBlock& block, const BlockNames& names, const NameTable& table,
+                                   const std::function<NameKind(NameId)>& kind_of) {
+  return FactorSearch(block, names, table, kind_of).run();
+}
+
+}  // namespace texbrdf
