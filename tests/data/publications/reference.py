@@ -1,0 +1,131 @@
+#!/usr/bin/env python3
+"""Reference values for the models in this folder.
+
+Each function is written from the formula of the publication that its document cites, in double
+precision, and reads no TeX.  Frame: n = z = (0,0,1), x = (1,0,0), y = (0,1,0); angles in radians;
+L points to the light, V to the viewer, both of unit length; no cosine factor is added.
+
+`python3 reference.py` rewrites NAME.csv for every model, one row for each pair of directions in
+directions.txt: Lx,Ly,Lz,Vx,Vy,Vz,r,g,b.  It stops at a value that is no number, at a negative one of a model
+that cannot be negative, and at a model that is not reciprocal though it should be.
+"""
+import csv
+import math
+import os
+from math import acos, asin, atan, atan2, cos, exp, log, pi, sin, sqrt, tan
+
+N, X, Y = (0.0, 0.0, 1.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)
+MODELS = {}
+
+
+def model(name, reciprocal=True, negative=False):
+    def register(function):
+        MODELS[name] = (function, reciprocal, negative)
+        return function
+    return register
+
+
+def dot(a, b): return sum(p * q for p, q in zip(a, b))
+def add(a, b): return tuple(p + q for p, q in zip(a, b))
+def sub(a, b): return tuple(p - q for p, q in zip(a, b))
+def mul(s, a): return tuple(s * p for p in a)
+def cross(a, b): return (a[1]*b[2]-a[2]*b[1], a[2]*b[0]-a[0]*b[2], a[0]*b[1]-a[1]*b[0])
+def norm(a): return sqrt(dot(a, a))
+def unit(a): return mul(1.0 / norm(a), a)
+def half(L, V): return unit(add(L, V))
+def grey(s): return (s, s, s)
+def angle(a, b): return acos(max(-1.0, min(1.0, dot(a, b))))
+def azimuth(a): return atan2(a[1], a[0])
+def channels(function, *colours): return tuple(function(*c) for c in zip(*colours))
+def mirror(L): return sub(mul(2 * dot(N, L), N), L)
+def lerp(a, b, t): return a + (b - a) * t
+def schlick(f0, u): return f0 + (1 - f0) * (1 - u) ** 5
+
+
+def fresnel(n, c):
+    """Unpolarised reflectance of a dielectric of relative index n at an angle with cosine c."""
+    g = sqrt(n * n - 1 + c * c)
+    return 0.5 * ((g - c) / (g + c)) ** 2 * (1 + ((c * (g + c) - 1) / (c * (g - c) + 1)) ** 2)
+
+
+def v_cavities(L, V):
+    H = half(L, V)
+    return min(1.0, 2 * H[2] * V[2] / dot(V, H), 2 * H[2] * L[2] / dot(V, H))
+
+
+@model("phong-1975-lewis-1994")
+def phong(L, V):
+    n = 22
+    lobe = (n + 2) / (2 * pi) * max(dot(mirror(L), V), 0.0) ** n
+    return channels(lambda d, s: d / pi + s * lobe, (0.35, 0.20, 0.15), (0.4, 0.4, 0.4))
+
+
+@model("lafortune-1997")
+def lafortune(L, V):
+    root = (26 / (2 * pi)) ** (1 / 24)
+    lobes = [((-root, -root, 0.97 * root), 24, (0.35, 0.30, 0.28)),
+             ((0.62, 0.62, 0.71), 6.5, (0.08, 0.05, 0.05)),
+             ((-1.05, -0.64, 0.55), 2.25, (0.30, 0.07, 0.05))]
+    f = mul(1 / pi, (0.12, 0.03, 0.02))
+    for C, n, rho in lobes:
+        f = add(f, mul(max(0.0, sum(c * u * v for c, u, v in zip(C, L, V))) ** n, rho))
+    return f
+
+
+@model("schlick-1994")
+def schlick_1994(L, V):
+    H = half(L, V)
+    t, u, v, v1 = H[2], dot(H, V), V[2], L[2]
+    w = H[0] / sqrt(H[0] ** 2 + H[1] ** 2)
+
+    def D(r, p):
+        Z = r / (1 + r * t * t - t * t) ** 2
+        A = sqrt(p / (p * p - p * p * w * w + w * w))
+        G = v / (r - r * v + v) * v1 / (r - r * v1 + v1)
+        return (G * Z * A + 1 - G) / (4 * pi * v * v1)
+    S = lambda C: schlick(C, u)
+    return channels(lambda C, C1: S(C) * D(0.08, 1.0) + (1 - S(C)) * S(C1) * D(0.6, 0.4),
+                    (0.05, 0.05, 0.06), (0.45, 0.28, 0.12))
+
+
+@model("neumann-1999")
+def neumann(L, V):
+    n, c = 12, dot(mirror(L), V)
+    lobe = (n + 2) / (2 * pi) * c ** n / max(L[2], V[2]) if c > 0 else 0.0
+    return mul(lobe, (0.98, 0.78, 0.37))
+
+
+@model("ashikhmin-premoze-2007")
+def ashikhmin_premoze(L, V):
+    ex, ey, H = 9, 140, half(L, V)
+    p = sqrt((ex + 1) * (ey + 1)) / (2 * pi) * H[2] ** ((ex * H[0] ** 2 + ey * H[1] ** 2) / (1 - H[2] ** 2))
+    return channels(lambda r0: 0.25 * p * schlick(r0, dot(L, H)) / (L[2] + V[2] - L[2] * V[2]), (0.82, 0.68, 0.36))
+
+
+def directions(path):
+    with open(path) as lines:
+        for line in lines:
+            if not line.startswith("#"):
+                numbers = [float(word) for word in line.split()]
+                yield tuple(numbers[:3]), tuple(numbers[3:])
+
+
+def main():
+    here = os.path.dirname(os.path.abspath(__file__))
+    pairs = list(directions(os.path.join(here, "directions.txt")))
+    for name, (function, reciprocal, negative) in MODELS.items():
+        with open(os.path.join(here, name + ".csv"), "w", newline="") as out:
+            rows = csv.writer(out, lineterminator="\n")
+            rows.writerow("Lx Ly Lz Vx Vy Vz r g b".split())
+            for L, V in pairs:
+                f = function(L, V)
+                assert len(f) == 3 and all(math.isfinite(c) for c in f), (name, L, V, f)
+                assert negative or min(f) >= 0, (name, L, V, f)
+                if reciprocal:
+                    for c, d in zip(f, function(V, L)):
+                        assert abs(c - d) <= 1e-9 * max(abs(c), abs(d)) + 1e-300, (name, L, V, c, d)
+                rows.writerow(["%.17g" % c for c in (*L, *V, *f)])
+
+
+if __name__ == "__main__":
+    main()
