@@ -102,6 +102,65 @@ def ashikhmin_premoze(L, V):
     return channels(lambda r0: 0.25 * p * schlick(r0, dot(L, H)) / (L[2] + V[2] - L[2] * V[2]), (0.82, 0.68, 0.36))
 
 
+@model("seeliger-1888")
+def seeliger(L, V):
+    w, g = 0.21, 0.35
+    p = (1 - g * g) / (1 - 2 * g * dot(L, V) + g * g) ** 1.5
+    return grey(w / (4 * pi) / (L[2] + V[2]) * p)
+
+
+@model("hapke-1981")
+def hapke_1981(L, V):
+    h, B0, b = 0.06, 0.9, 0.4
+    g = angle(L, V)
+    B = B0 / (1 + tan(g / 2) / h)
+    P = 1 + b * cos(g)
+
+    def channel(w):
+        H = lambda x: (1 + 2 * x) / (1 + 2 * x * sqrt(1 - w))
+        return w / (4 * pi) / (L[2] + V[2]) * ((1 + B) * P + H(L[2]) * H(V[2]) - 1)
+    return channels(channel, (0.62, 0.48, 0.30))
+
+
+@model("hapke-2002")
+def hapke_2002(L, V):
+    w, b, c, BS0, hS, BC0, hC = 0.37, 0.25, 0.30, 0.8, 0.07, 0.45, 0.04
+    g = angle(L, V)
+    r0 = (1 - sqrt(1 - w)) / (1 + sqrt(1 - w))
+    H = lambda x: 1 / (1 - w * x * (r0 + (1 - 2 * r0 * x) / 2 * log((1 + x) / x)))
+    BSH = 1 + BS0 / (1 + tan(g / 2) / hS)
+    z = tan(g / 2) / hC
+    BCB = 1 + BC0 * (1 + (1 - exp(-z)) / z) / (2 * (1 + z) ** 2)
+    hg = lambda s: (1 - b * b) / (1 + s * 2 * b * cos(g) + b * b) ** 1.5
+    p = (1 + c) / 2 * hg(-1) + (1 - c) / 2 * hg(1)
+    return grey(w / (4 * pi) / (L[2] + V[2]) * (p * BSH + H(L[2]) * H(V[2]) - 1) * BCB)
+
+
+@model("cook-torrance-1982")
+def cook_torrance_1982(L, V):
+    H, s, d = half(L, V), 0.2, 0.8
+    t2 = (1 - H[2] ** 2) / H[2] ** 2
+    D = sum(w * exp(-t2 / (m * m)) / (m * m * H[2] ** 4) for m, w in ((0.4, 0.4), (0.2, 0.6)))
+    rest = D * v_cavities(L, V) / (pi * L[2] * V[2])
+
+    def channel(R0, Rd):
+        n = (1 + sqrt(R0)) / (1 - sqrt(R0))
+        return s * fresnel(n, dot(V, H)) * rest + d * Rd / pi
+    return channels(channel, (0.046, 0.05, 0.062), (0.05, 0.22, 0.30))
+
+
+@model("karis-2013")
+def karis(L, V):
+    H, rough = half(L, V), 0.45
+    a2, k = rough ** 4, (rough + 1) ** 2 / 8
+    D = a2 / (pi * (H[2] ** 2 * (a2 - 1) + 1) ** 2)
+    G1 = lambda c: c / (c * (1 - k) + k)
+    u = dot(V, H)
+    power = 2.0 ** ((-5.55473 * u - 6.98316) * u)
+    scale = D * G1(L[2]) * G1(V[2]) / (4 * L[2] * V[2])
+    return channels(lambda F0, c: c / pi + (F0 + (1 - F0) * power) * scale, (0.66, 0.61, 0.53), (0.10, 0.09, 0.08))
+
+
 def directions(path):
     with open(path) as lines:
         for line in lines:
