@@ -161,6 +161,92 @@ def karis(L, V):
     return channels(lambda F0, c: c / pi + (F0 + (1 - F0) * power) * scale, (0.66, 0.61, 0.53), (0.10, 0.09, 0.08))
 
 
+@model("heitz-2014")
+def heitz(L, V):
+    ax, ay, H = 0.5, 0.15, half(L, V)
+    e = (H[0] / ax) ** 2 + (H[1] / ay) ** 2
+    D = 1 / (pi * ax * ay * H[2] ** 4 * (1 + e / H[2] ** 2) ** 2)
+
+    def Lambda(w):
+        slope2 = ((ax * w[0]) ** 2 + (ay * w[1]) ** 2) / w[2] ** 2
+        return (-1 + sqrt(1 + slope2)) / 2
+    scale = D / (1 + Lambda(L) + Lambda(V)) / (4 * L[2] * V[2])
+    return channels(lambda F0: schlick(F0, dot(V, H)) * scale, (0.95, 0.64, 0.54))
+
+
+@model("lagarde-2014")
+def lagarde(L, V):
+    rough, f0, H = 0.7, 0.04, half(L, V)
+    a2, u = rough ** 4, dot(V, H)
+    D = a2 / (pi * (H[2] ** 2 * (a2 - 1) + 1) ** 2)
+    Lambda = lambda c: (-1 + sqrt(1 + a2 * (1 - c * c) / (c * c))) / 2
+    f90 = min(1.0, max(0.0, 50 * 0.99 * f0))
+    F = f0 + (f90 - f0) * (1 - u) ** 5
+    fr = F * D / (1 + Lambda(L[2]) + Lambda(V[2])) / (4 * L[2] * V[2])
+    FD90 = lerp(0, 0.5, rough) + 2 * rough * dot(L, H) ** 2
+    fd = lerp(1.0, 1 / 1.51, rough) / pi * (1 + (FD90 - 1) * (1 - L[2]) ** 5) * (1 + (FD90 - 1) * (1 - V[2]) ** 5)
+    return channels(lambda rho: rho * fd + fr, (0.08, 0.09, 0.11))
+
+
+@model("estevez-kulla-2017")
+def estevez_kulla(L, V):
+    r, H = 0.4, half(L, V)
+    D = (2 + 1 / r) * sqrt(max(0.0, 1 - H[2] ** 2)) ** (1 / r) / (2 * pi)
+    p0 = (25.3245, 3.32435, 0.16801, -1.27393, -4.85967)
+    p1 = (21.5473, 3.82987, 0.19823, -1.97760, -4.32054)
+    t = (1 - r) ** 2
+    a, b, c, d, e = [t * q0 + (1 - t) * q1 for q0, q1 in zip(p0, p1)]
+    curve = lambda x: a / (1 + b * x ** c) + d * x + e
+    Lambda = lambda u: exp(curve(u)) if u < 0.5 else exp(2 * curve(0.5) - curve(1 - u))
+    scale = D / (1 + Lambda(L[2]) + Lambda(V[2])) / (4 * L[2] * V[2])
+    return mul(scale, (0.55, 0.12, 0.20))
+
+
+@model("neubelt-pettineo-2013")
+def neubelt_pettineo(L, V):
+    A, a2, H = 4, 0.36, half(L, V)
+    s2 = 1 - H[2] ** 2
+    D = (1 + A * exp(-H[2] ** 2 / s2 / a2) / s2 ** 2) / (pi * (1 + A * a2))
+    F = schlick(0.04, dot(L, H))
+    sheen = F * D / (4 * (L[2] + V[2] - L[2] * V[2]))
+    return channels(lambda rho: (1 - F) * rho / pi + sheen, (0.14, 0.16, 0.24))
+
+
+@model("burley-2012")
+def burley(L, V):
+    metallic, subsurface, specular, roughness = 0.3, 0.4, 0.5, 0.45
+    anisotropic, sheen, clearcoat, gloss = 0.6, 0.8, 0.9, 0.7
+    H = half(L, V)
+    l, v, d = L[2], V[2], dot(L, H)
+    product = lambda f90: (1 + (f90 - 1) * (1 - l) ** 5) * (1 + (f90 - 1) * (1 - v) ** 5)
+    base = product(0.5 + 2 * roughness * d * d)
+    ss = 1.25 * (product(roughness * d * d) * (1 / (l + v) - 0.5) + 0.5)
+    aspect = sqrt(1 - 0.9 * anisotropic)
+    ax, ay = roughness ** 2 / aspect, roughness ** 2 * aspect
+    D2 = 1 / (pi * ax * ay * ((H[0] / ax) ** 2 + (H[1] / ay) ** 2 + H[2] ** 2) ** 2)
+    c2 = lerp(0.1, 0.001, gloss) ** 2
+    D1 = (c2 - 1) / (pi * log(c2)) / (1 + (c2 - 1) * H[2] ** 2)
+    G1 = lambda c, a: 2 * c / (c + sqrt(a * a + c * c - a * a * c * c))
+    ag = (0.5 + roughness / 2) ** 2
+    Fh = (1 - d) ** 5
+    coat = 0.25 * clearcoat * lerp(0.04, 1.0, Fh) * G1(l, 0.25) * G1(v, 0.25) * D1 / (4 * l * v)
+
+    def channel(colour):
+        Fs = lerp(lerp(0.08 * specular, colour, metallic), 1.0, Fh)
+        diffuse = colour / pi * lerp(base, ss, subsurface) + sheen * Fh
+        return (1 - metallic) * diffuse + Fs * G1(l, ag) * G1(v, ag) * D2 / (4 * l * v) + coat
+    return channels(channel, (0.60, 0.25, 0.12))
+
+
+@model("rtr4-2018")
+def rtr4(L, V):
+    a, F0, nh = 0.7, 0.04, half(L, V)[2]
+    smooth = 21 / 20 * (1 - F0) * (1 - (1 - L[2]) ** 5) * (1 - (1 - V[2]) ** 5)
+    facing = 0.5 + 0.5 * dot(L, V)
+    rough = facing * (0.9 - 0.4 * facing) * (0.5 + nh) / nh
+    return channels(lambda rho: rho / pi * ((1 - a) * smooth + a * rough + rho * 0.3641 * a), (0.8, 0.74, 0.65))
+
+
 def directions(path):
     with open(path) as lines:
         for line in lines:
