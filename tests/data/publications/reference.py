@@ -247,6 +247,42 @@ def rtr4(L, V):
     return channels(lambda rho: rho / pi * ((1 - a) * smooth + a * rough + rho * 0.3641 * a), (0.8, 0.74, 0.65))
 
 
+@model("kelemen-szirmay-kalos-2001")
+def kelemen(L, V):
+    h, F0, m = add(L, V), 0.06, 0.25
+    H = unit(h)
+    c2 = H[2] ** 2
+    P = exp(-(1 - c2) / c2 / (m * m)) / (pi * m * m * c2 * c2)
+    spec = P * schlick(F0, dot(H, L)) / dot(h, h)
+    # The integral of (1 - a) cos sin over [0, pi/2] is (1 - F0) (1/2 - 1/42).
+    s = 1 / (2 * pi * (1 - F0) * (1 / 2 - 1 / 42))
+    mat = s * (1 - schlick(F0, L[2])) * (1 - schlick(F0, V[2]))
+    return channels(lambda k: spec + k * mat, (0.1, 0.5, 0.3))
+
+
+@model("strauss-1990", reciprocal=False)
+def strauss(L, V):
+    s, m, t, kf, kg, kj = 0.6, 0.85, 0.0, 1.12, 1.01, 0.1
+    inverse = lambda x, k: 1 / (x - k) ** 2
+    F = lambda x: (inverse(x, kf) - 1 / kf ** 2) / (inverse(1, kf) - 1 / kf ** 2)
+    G = lambda x: (inverse(1, kg) - inverse(x, kg)) / (inverse(1, kg) - 1 / kg ** 2)
+    a, b = angle(N, L) / (pi / 2), angle(N, V) / (pi / 2)
+    d, rd = 1 - m * s, (1 - s ** 3) * (1 - t)
+    rn = (1 - t) - rd
+    rj = min(1.0, rn + (rn + kj) * F(a) * G(a) * G(b))
+    Rs = max(0.0, dot(mirror(L), V)) ** (3 / (1 - s)) * rj
+    return channels(lambda C: d * rd * C + Rs * (1 + m * (1 - F(a)) * (C - 1)) / L[2], (0.80, 0.62, 0.25))
+
+
+@model("banks-1994", reciprocal=False)
+def banks(L, V):
+    psi = pi / 6
+    T = (cos(psi), sin(psi), 0.0)
+    sL, sV = norm(cross(T, L)), norm(cross(T, V))
+    spec = max(0.0, sL * sV - dot(L, T) * dot(V, T)) ** 15
+    return channels(lambda d, s: d * sL ** 4.8 + s * spec, (0.12, 0.10, 0.20), (0.5, 0.5, 0.4))
+
+
 def directions(path):
     with open(path) as lines:
         for line in lines:
