@@ -283,6 +283,57 @@ def banks(L, V):
     return channels(lambda d, s: d * sL ** 4.8 + s * spec, (0.12, 0.10, 0.20), (0.5, 0.5, 0.4))
 
 
+@model("low-2012-smooth")
+def low_smooth(L, V):
+    R = mirror(L)
+    D = sub(sub(V, mul(dot(V, N), N)), sub(R, mul(dot(R, N), N)))
+    F = schlick(0.04, dot(L, half(L, V)))
+    return channels(lambda kd, A: kd / pi + F * A / (1 + 1900 * dot(D, D)) ** 0.92,
+                    (0.021, 0.047, 0.160), (14.2, 13.6, 12.9))
+
+
+@model("low-2012-microfacet")
+def low_microfacet(L, V):
+    H = half(L, V)
+    scale = v_cavities(L, V) / (1 + 210 * (1 - H[2])) ** 1.45 / (L[2] * V[2])
+    return channels(lambda kd, A, F0: kd / pi + schlick(F0, dot(V, H)) * A * scale,
+                    (0.02, 0.02, 0.01), (3.1, 2.2, 1.1), (0.9, 0.8, 0.6))
+
+
+@model("ribardiere-2017")
+def ribardiere(L, V):
+    s2, g, H = 0.11 ** 2, 2.4, half(L, V)
+    t2 = (1 - H[2] ** 2) / H[2] ** 2
+    D = (g - 1) ** g * s2 ** (g - 1) / (pi * H[2] ** 4 * ((g - 1) * s2 + t2) ** g)
+    scale = D * v_cavities(L, V) / (4 * L[2] * V[2])
+    return channels(lambda F0: schlick(F0, dot(L, H)) * scale, (0.66, 0.61, 0.53))
+
+
+@model("kurt-2010")
+def kurt(L, V):
+    H = half(L, V)
+    t2 = (1 - H[2] ** 2) / H[2] ** 2
+    c2 = H[0] ** 2 / (H[0] ** 2 + H[1] ** 2)
+    lobes = [((0.22, 0.05, 0.30), 0.3, 0.55, 0.2, 0.4), ((0.08, 0.06, 0.09), 0.05, 0.15, 0.7, 0.65)]
+    f = mul(1 / pi, (0.015, 0.007, 0.020))
+    for ks, f0, mx, my, a in lobes:
+        D = exp(-t2 * (c2 / mx ** 2 + (1 - c2) / my ** 2)) / (pi * mx * my * H[2] ** 4)
+        f = add(f, mul(schlick(f0, dot(V, H)) * D / (4 * dot(V, H) * (L[2] * V[2]) ** a), ks))
+    return f
+
+
+@model("nishino-2009")
+def nishino(L, V):
+    H = half(L, V)
+    c, x = H[2], 1 - dot(L, H)
+
+    def channel(k1, k2):
+        first = exp((k1 + 0.95 * x - 0.4 * x * x) * c ** (70 * (1 - x) ** 2 + 14)) - 1
+        second = exp(k2 * (1 + 0.6 * x) * c ** (0.35 + 0.5 * x)) - 1
+        return first + second
+    return channels(channel, (1.02, 0.90, 0.88), (0.15, 0.04, 0.03))
+
+
 def directions(path):
     with open(path) as lines:
         for line in lines:
