@@ -381,6 +381,61 @@ def lazarov(L, V):
     return channels(lambda c, f0: c / pi + D * schlick(f0, dot(V, H)) * vis / 4, (0.05, 0.05, 0.06), (0.17, 0.16, 0.14))
 
 
+@model("lazanyi-2005")
+def lazanyi(L, V):
+    h, m = add(L, V), 0.3
+    H = unit(h)
+    c, c2 = dot(L, H), H[2] ** 2
+    P = exp(-(1 - c2) / c2 / (m * m)) / (pi * m * m * c2 * c2)
+
+    def channel(n, k, a):
+        F = ((n - 1) ** 2 + 4 * n * (1 - c) ** 5 + k * k) / ((n + 1) ** 2 + k * k) - a * c * (1 - c) ** 5.5
+        return P * F / dot(h, h)
+    return channels(channel, (2.9, 2.2, 1.6), (3.1, 2.9, 2.3), (0.8, 0.7, 0.4))
+
+
+@model("trowbridge-reitz-1975")
+def trowbridge_reitz(L, V):
+    e2, H = 0.35 ** 2, half(L, V)
+    D = (e2 / ((e2 - 1) * H[2] ** 2 + 1)) ** 2
+    c = dot(L, H)
+
+    def conductor(eta, kappa):
+        """|r|^2 of both polarisations by complex arithmetic."""
+        index = complex(eta, -kappa)
+        root = (index * index - (1 - c * c)) ** 0.5
+        rs = (c - root) / (c + root)
+        rp = (index * index * c - root) / (index * index * c + root)
+        return 0.5 * (abs(rs) ** 2 + abs(rp) ** 2)
+    return channels(lambda eta, kappa: conductor(eta, kappa) * D / (4 * pi * e2 * L[2] * V[2]),
+                    (3.1, 2.9, 2.0), (3.3, 3.3, 2.9))
+
+
+@model("fujii-2012")
+def fujii(L, V):
+    sigma = 0.65
+    A = 1 / (pi + (pi / 2 - 2 / 3) * sigma)
+    s = dot(L, V) - L[2] * V[2]
+    t = max(L[2], V[2]) if s > 0 else 1.0
+    return channels(lambda rho: rho * A * (1 + sigma * s / t), (0.85, 0.80, 0.72))
+
+
+@model("portsmouth-2024")
+def portsmouth(L, V):
+    r = 0.8
+    A = 1 / (1 + (1 / 2 - 2 / (3 * pi)) * r)
+    s = dot(L, V) - L[2] * V[2]
+    t = max(L[2], V[2]) if s > 0 else 1.0
+
+    def E(u):
+        q = 1 - u
+        return A * (1 + r * q * (0.0571085289 + q * (0.491881867 + q * (-0.332181442 + q * 0.0714429953))))
+    mean = A * (1 + (2 / 3 - 28 / (15 * pi)) * r)
+    comp = (1 - E(L[2])) * (1 - E(V[2])) / (1 - mean)
+    return channels(lambda rho: rho / pi * A * (1 + r * s / t) + rho ** 2 * mean / (1 - rho * (1 - mean)) / pi * comp,
+                    (0.82, 0.51, 0.36))
+
+
 def directions(path):
     with open(path) as lines:
         for line in lines:
