@@ -436,6 +436,69 @@ def portsmouth(L, V):
                     (0.82, 0.51, 0.36))
 
 
+@model("lucht-2000", negative=True)
+def lucht(L, V):
+    ti, to = angle(N, L), angle(N, V)
+    phi = azimuth(L) - azimuth(V)
+    xi = acos(max(-1.0, min(1.0, cos(ti) * cos(to) + sin(ti) * sin(to) * cos(phi))))
+    vol = ((pi / 2 - xi) * cos(xi) + sin(xi)) / (cos(ti) + cos(to)) - pi / 4
+    # b / r = 1 leaves the angles of the crowns as they are; h / b = 2.
+    secants = 1 / cos(ti) + 1 / cos(to)
+    d2 = tan(ti) ** 2 + tan(to) ** 2 - 2 * tan(ti) * tan(to) * cos(phi)
+    t = acos(min(1.0, 2 * sqrt(d2 + (tan(ti) * tan(to) * sin(phi)) ** 2) / secants))
+    overlap = (t - sin(t) * cos(t)) * secants / pi
+    geo = overlap - secants + 0.5 * (1 + cos(xi)) / (cos(ti) * cos(to))
+    return channels(lambda iso, v, g: (iso + v * vol + g * geo) / pi,
+                    (0.06, 0.04, 0.36), (0.03, 0.02, 0.20), (0.008, 0.006, 0.03))
+
+
+@model("rahman-1993")
+def rahman(L, V):
+    k, theta = 0.72, -0.12
+    # cos(pi - g) = -cos g, and cos g = L.V by the spherical law of cosines.
+    F = (1 - theta ** 2) / (1 + theta ** 2 + 2 * theta * dot(L, V)) ** 1.5
+    G = norm(sub(mul(1 / L[2], L), mul(1 / V[2], V)))
+    M = (L[2] * V[2]) ** (k - 1) / (L[2] + V[2]) ** (1 - k)
+    return channels(lambda rho: rho * M * F * (1 + (1 - rho) / (1 + G)) / pi, (0.075, 0.10, 0.16))
+
+
+@model("jensen-2001")
+def jensen(L, V):
+    eta, g = 1.5, 0.2
+    inside = lambda c: sqrt(1 - (1 - c * c) / (eta * eta))
+    down = (-L[0] / eta, -L[1] / eta, -inside(L[2]))
+    up = (V[0] / eta, V[1] / eta, inside(V[2]))
+    p = (1 - g * g) / (4 * pi * (1 + g * g - 2 * g * dot(down, up)) ** 1.5)
+    F = (1 - fresnel(eta, L[2])) * (1 - fresnel(eta, V[2]))
+    Fdr = -1.440 / eta ** 2 + 0.710 / eta + 0.668 + 0.0636 * eta
+    A = (1 + Fdr) / (1 - Fdr)
+
+    def channel(reduced, absorbed):
+        scattered = reduced / (1 - g)
+        albedo, albedo1 = scattered / (scattered + absorbed), reduced / (reduced + absorbed)
+        root = sqrt(3 * (1 - albedo1))
+        Rd = albedo1 / 2 * (1 + exp(-4 / 3 * A * root)) * exp(-root)
+        return albedo * F * p / (-down[2] + up[2]) + F * Rd / pi
+    return channels(channel, (2.19, 2.62, 3.00), (0.0021, 0.0041, 0.0071))
+
+
+@model("guy-agopian-2018")
+def guy_agopian(L, V):
+    H, metallic, reflectance, clear_coat = half(L, V), 0.6, 0.5, 0.9
+    u = dot(V, H)
+    D = lambda a: a * a / (pi * (H[2] ** 2 * (a * a - 1) + 1) ** 2)
+    a = 0.55 ** 2
+    under = lambda c: sqrt(c * c * (1 - a * a) + a * a)
+    vis = 0.5 / (L[2] * under(V[2]) + V[2] * under(L[2]))
+    Fc = clear_coat * schlick(0.04, u)
+    coat = D(0.35 ** 2) / (4 * dot(L, H) ** 2) * Fc
+
+    def channel(base):
+        f0 = 0.16 * reflectance ** 2 * (1 - metallic) + base * metallic
+        return ((1 - metallic) * base / pi + D(a) * vis * schlick(f0, u)) * (1 - Fc) + coat
+    return channels(channel, (0.70, 0.05, 0.08))
+
+
 def directions(path):
     with open(path) as lines:
         for line in lines:
