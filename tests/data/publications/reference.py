@@ -499,6 +499,58 @@ def guy_agopian(L, V):
     return channels(channel, (0.70, 0.05, 0.08))
 
 
+@model("oren-nayar-1994-qualitative")
+def oren_nayar_qualitative(L, V):
+    rho, s2 = 0.9, math.radians(20) ** 2
+    A, B = 1 - 0.5 * s2 / (s2 + 0.33), 0.45 * s2 / (s2 + 0.09)
+    ti, tr = angle(N, L), angle(N, V)
+    c = max(0.0, cos(azimuth(V) - azimuth(L)))
+    return grey(rho / pi * (A + B * c * sin(max(ti, tr)) * tan(min(ti, tr))))
+
+
+@model("walter-2007-beckmann")
+def walter_beckmann(L, V):
+    alpha, H = 0.39, half(L, V)
+    c2 = H[2] ** 2
+    D = exp(-(1 - c2) / c2 / alpha ** 2) / (pi * alpha ** 2 * c2 * c2)
+
+    def G1(c):
+        slope = sqrt(max(0.0, 1 - c * c)) / c
+        a = math.inf if slope == 0 else 1 / (alpha * slope)
+        return (3.535 * a + 2.181 * a * a) / (1 + 2.276 * a + 2.577 * a * a) if a < 1.6 else 1.0
+    return grey(fresnel(1.51, dot(L, H)) * D * G1(L[2]) * G1(V[2]) / (4 * L[2] * V[2]))
+
+
+@model("blinn-1977")
+def blinn_1977(L, V):
+    c2, H = 0.35 ** 2, half(L, V)
+    D = (c2 / (H[2] ** 2 * (c2 - 1) + 1)) ** 2
+    s = D * v_cavities(L, V) * fresnel(8.2, dot(V, H)) / V[2]
+    return channels(lambda ps, pd: pd + s * ps / L[2], (0.8, 0.7, 0.5), (0.06, 0.04, 0.02))
+
+
+@model("heitz-2018")
+def heitz_2018(L, V):
+    ax, ay, H = 0.18, 0.42, half(L, V)
+    D = 1 / (pi * ax * ay * ((H[0] / ax) ** 2 + (H[1] / ay) ** 2 + H[2] ** 2) ** 2)
+    G1 = lambda w: 2 / (1 + sqrt(1 + ((ax * w[0]) ** 2 + (ay * w[1]) ** 2) / w[2] ** 2))
+    scale = D * G1(L) * G1(V) / (4 * L[2] * V[2])
+    return channels(lambda F0: schlick(F0, dot(V, H)) * scale, (0.955, 0.638, 0.538))
+
+
+@model("chan-2018")
+def chan(L, V):
+    saturate = lambda x: max(0.0, min(1.0, x))
+    H = half(L, V)
+    u = dot(V, H)
+    g = saturate(math.log2(2 / 0.55 ** 2 - 1) / 18)
+    rough = u + (1 - u) ** 5
+    smooth = (1 - 0.75 * (1 - V[2]) ** 5) * (1 - 0.75 * (1 - L[2]) ** 5)
+    fd = lerp(rough, smooth, saturate(2.2 * g - 0.5))
+    fb = ((34.5 * g - 59) * g + 24.5) * u * 2.0 ** (-max(73.2 * g - 21.2, 8.9) * sqrt(H[2]))
+    return channels(lambda albedo: albedo / pi * (fd + fb), (0.58, 0.47, 0.36))
+
+
 def directions(path):
     with open(path) as lines:
         for line in lines:
