@@ -551,6 +551,48 @@ def chan(L, V):
     return channels(lambda albedo: albedo / pi * (fd + fb), (0.58, 0.47, 0.36))
 
 
+@model("khronos-2021")
+def khronos(L, V):
+    metallic, a2, H = 0.7, 0.5 ** 4, half(L, V)
+    D = a2 / (pi * (H[2] ** 2 * (a2 - 1) + 1) ** 2)
+    G1 = lambda c: 2 * c / (c + sqrt(a2 + (1 - a2) * c * c))
+    specular = D * G1(L[2]) * G1(V[2]) / (4 * L[2] * V[2])
+    u = dot(V, H)
+
+    def channel(base):
+        return lerp(lerp(base / pi, specular, schlick(0.04, u)), specular * schlick(base, u), metallic)
+    return channels(channel, (0.45, 0.40, 0.33))
+
+
+@model("wolff-1994")
+def wolff(L, V):
+    return channels(lambda rho: rho / pi * (1 - fresnel(1.7, L[2])) * (1 - fresnel(1.7, V[2])), (0.88, 0.83, 0.70))
+
+
+@model("torrance-sparrow-1967")
+def torrance_sparrow(L, V):
+    n, c, b, g, H = 1.7, 2.9, 1.2, 0.30, half(L, V)
+    lobe = fresnel(n, dot(L, H)) * v_cavities(L, V) * b * exp(-(c * angle(N, H)) ** 2) / (L[2] * V[2])
+    return channels(lambda a: a / pi + g * lobe, (0.72, 0.72, 0.75))
+
+
+@model("nilson-kuusk-1989")
+def nilson_kuusk(L, V):
+    s, v = angle(N, L), angle(N, V)
+    rest = -1.35 * (s * s + v * v) + 0.92 * (s * v) ** 2 + 2.6 * s * v * cos(azimuth(L) - azimuth(V))
+    return channels(lambda a0: (a0 + rest) / (100 * pi), (13.2, 16.9, 21.4))
+
+
+@model("maxwell-beard-1973")
+def maxwell_beard(L, V):
+    B, sigma, tau, Omega, eta, H = 4.1e-3, 0.22, 0.6, 0.9, 1.49, half(L, V)
+    beta, tn = angle(L, H), angle(N, H)
+    so = (1 + tn / Omega * exp(-2 * beta / tau)) / (1 + tn / Omega)
+    fs = B / (H[2] * (sigma ** 2 + tan(tn) ** 2))
+    first = fresnel(eta, dot(L, H)) / ((eta - 1) / (eta + 1)) ** 2 * fs * H[2] ** 2 / (L[2] * V[2]) * so
+    return channels(lambda D, W: first + D + 2 * W / (L[2] + V[2]), (0.020, 0.024, 0.011), (0.010, 0.012, 0.006))
+
+
 def directions(path):
     with open(path) as lines:
         for line in lines:
