@@ -593,6 +593,29 @@ def maxwell_beard(L, V):
     return channels(lambda D, W: first + D + 2 * W / (L[2] + V[2]), (0.020, 0.024, 0.011), (0.010, 0.012, 0.006))
 
 
+@model("shirley-1997")
+def shirley(L, V):
+    R0 = 0.05
+    k = 21 / (20 * pi * (1 - R0))
+    return mul(k * (1 - schlick(R0, L[2])) * (1 - schlick(R0, V[2])), (0.62, 0.58, 0.51))
+
+
+@model("lagarde-2011")
+def lagarde_2011(L, V):
+    p, H = 2.0 ** (10 * 0.42 + 1), half(L, V)
+    lobe = (p + 2) / (8 * pi) * H[2] ** p
+    return channels(lambda d, s: d / pi * (1 - s) + schlick(s, dot(L, H)) * lobe, (0.24, 0.33, 0.18), (0.06, 0.06, 0.06))
+
+
+@model("burley-2015")
+def burley_2015(L, V):
+    rough, sheen, sheen_tint = 0.8, 0.6, 0.5
+    d = dot(L, half(L, V))
+    FL, FV, RR = (1 - L[2]) ** 5, (1 - V[2]) ** 5, 2 * rough * d * d
+    lobes = (1 - 0.5 * FL) * (1 - 0.5 * FV) + RR * (FL + FV + FL * FV * (RR - 1))
+    return channels(lambda c: c / pi * lobes + sheen * lerp(1, c / 0.185, sheen_tint) * (1 - d) ** 5, (0.42, 0.08, 0.11))
+
+
 def directions(path):
     with open(path) as lines:
         for line in lines:
