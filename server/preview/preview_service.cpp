@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "preview/cpu_frame.h"
-#include "preview/shader_model.h"
+#include "preview/recent_shader_models.h"
 #include "render/png.h"
 
 namespace texbrdf::preview {
@@ -30,7 +30,6 @@ constexpr std::chrono::milliseconds kLongest{500};
 
 /// A scene whose equations are linked.
 struct Drawable {
-  uint64_t model = 0;  // of the scene
   ir::Program program;
   CpuModel cpu;
 };
@@ -41,6 +40,7 @@ struct Work {
   uint64_t serial = 0;  // of the scene
   std::shared_ptr<const Scene> scene;
   std::shared_ptr<const Drawable> drawable;  // of the GPU's; else what was drawn before
+  std::optional<uint64_t> linked_model;      // of the scene that `drawable` and `is_current` hold for
   Clock::time_point begin;
   bool is_current = true;
   uint32_t max_size = 0;  // of a picture of the CPU
@@ -57,6 +57,7 @@ struct Slot {
   Clock::time_point begin;
   std::shared_ptr<const Drawable> good;  // the last that could be drawn
   bool is_current = true;                // `good` is the scene's own
+  std::optional<uint64_t> linked_model;  // of the scene that this was found for
   std::optional<SceneState> state;       // to be told
   std::optional<Frame> ready;
   std::pair<uint64_t, Device> newest = {0, Device::Cpu};  // the serial of the last frame that was ready
@@ -68,7 +69,7 @@ Result<Drawable> make_drawable(const Scene& scene) {
   if (!program) return Failure{program.error()};
   Result<CpuModel> cpu = cpu_model(*program);
   if (!cpu) return Failure{cpu.error()};
-  return Drawable{scene.model, *std::move(program), *std::move(cpu)};
+  return Drawable{*std::move(program), *std::move(cpu)};
 }
 
 Frame make_frame(const Work& work, Device device, const render::Picture& picture) {
@@ -150,7 +151,7 @@ class PreviewService::Painter {
 
   Work work_of(int64_t preview, const Slot& slot) const {
     const uint32_t max_size = has_no_gpu_ ? kMaxCpuSize : kMaxQuickSize;
-    return {preview, slot.serial, slot.scene, slot.good, slot.begin, slot.is_current, max_size};
+    return {preview, slot.serial, slot.scene, slot.good, slot.linked_model, slot.begin, slot.is_current, max_size};
   }
 
   std::optional<Work> next_for_cpu() {
@@ -191,9 +192,9 @@ class PreviewService::Painter {
 
   /// Where the scene cannot be drawn the last one that could stays.
   void link(Work& work) {
-    const bool is_linked = work.is_current && work.drawable && work.drawable->model == work.scene->model;
-    if (is_linked) return set_linked(work, std::nullopt);
+    if (work.linked_model == work.scene->model) return set_linked(work, std::nullopt);
     Result<Drawable> now = make_drawable(*work.scene);
+    work.linked_model = work.scene->model;
     work.is_current = static_cast<bool>(now);
     const std::string problem = now ? std::string() : now.error();
     if (now) work.drawable = std::make_shared<const Drawable>(*std::move(now));
@@ -209,6 +210,7 @@ class PreviewService::Painter {
       Slot& slot = found->second;
       slot.good = work.drawable;
       slot.is_current = work.is_current;
+      slot.linked_model = work.linked_model;
       slot.linked = work.serial;
       if (state) slot.state = std::move(state);
     }
@@ -253,6 +255,7 @@ class PreviewService::Painter {
 
   void tell_fault(Work work) {
     work.is_current = false;
+    work.linked_model.reset();
     set_linked(work, SceneState{work.preview, work.scene->version, "an internal error: there is no new picture"});
     wake_();
   }
@@ -267,16 +270,12 @@ class PreviewService::Painter {
   }
 
   std::optional<Frame> draw_on_gpu(const Work& work) {
-    if (emitted_from_ != work.drawable) {
-      Result<render::ShaderModel> model = shader_model(work.drawable->program);
-      if (!model) {
-        note_fault(model.error());
-        return std::nullopt;
-      }
-      emitted_ = *std::move(model);
-      emitted_from_ = work.drawable;
+    const Result<const render::ShaderModel*> model = emitted_.of({work.drawable, &work.drawable->program});
+    if (!model) {
+      note_fault(model.error());
+      return std::nullopt;
     }
-    const auto drawn = worker_.draw(emitted_, work.scene->view);
+    const auto drawn = worker_.draw(**model, work.scene->view);
     if (const auto* fault = std::get_if<render::RenderFault>(&drawn)) {
       note_fault(fault->message);
       if (fault->kind == render::RenderFaultKind::NoRenderer) give_up_gpu();
@@ -325,8 +324,7 @@ class PreviewService::Painter {
   std::function<void()> wake_;
   // Of the GPU's thread.
   render::RenderWorker worker_;
-  render::ShaderModel emitted_;
-  std::shared_ptr<const Drawable> emitted_from_;
+  RecentShaderModels emitted_;
 
   std::mutex mutex_;
   std::condition_variable work_;

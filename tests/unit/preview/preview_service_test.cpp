@@ -28,12 +28,21 @@ class Client {
     Document document(equations);
     service_.show(1, {document.snapshot(), ++model_, version, "", kView, std::move(values)});
   }
+  /// What is shown already, in another light.
+  void turn_light(const std::string& equations, int64_t version) {
+    Document document(equations);
+    service_.show(1, {document.snapshot(), model_, version, "", {.size = 33, .theta = 10}, {}});
+  }
   /// Another preview, of a larger picture.
   void show_beside(const std::string& equations) {
     Document document(equations);
     service_.show(2, {document.snapshot(), ++model_, 1, "", {.size = 512}, {}});
   }
   void acknowledge() { service_.acknowledge(1); }
+  bool has_state() {
+    collect();
+    return !states_.empty();
+  }
 
   /// The next frame; nothing where none comes in time.
   std::optional<Frame> next_frame() {
@@ -204,6 +213,39 @@ TEST(PreviewService, WhatCannotBeDrawnLeavesTheLastPicture) {
   ASSERT_TRUE(frame);
   EXPECT_FALSE(frame->is_current);
   EXPECT_EQ(pixels(*frame), expected_pixels(equation("f = 0.5")));
+}
+
+TEST(PreviewService, AnotherLightDoesNotLinkAgainWhatCannotBeDrawn) {
+  Client client;
+  client.show(equation("f = 0.5"), 1);
+  ASSERT_TRUE(client.next_state());
+  ASSERT_TRUE(client.next_frame());
+  client.show(equation("f = 0.5 + z"), 2);
+  ASSERT_NE(client.next_state()->problem, "");
+  client.turn_light(equation("f = 0.5 + z"), 3);
+  for (int64_t version = 1; version < 3;) {
+    client.acknowledge();
+    const auto frame = client.next_frame();
+    ASSERT_TRUE(frame);
+    version = frame->version;
+    EXPECT_EQ(frame->is_current, version == 1);
+  }
+  EXPECT_FALSE(client.has_state()) << "each linking is told";
+}
+
+TEST(PreviewService, WhatIsMendedIsDrawnAgain) {
+  Client client;
+  client.show(equation("f = 0.5 + z"), 1);
+  ASSERT_NE(client.next_state()->problem, "");
+  client.turn_light(equation("f = 0.5 + z"), 2);
+  client.show(equation("f = 0.25"), 3);
+  const auto state = client.next_state();
+  ASSERT_TRUE(state);
+  EXPECT_EQ(state->problem, "");
+  const auto frame = client.next_frame();
+  ASSERT_TRUE(frame);
+  EXPECT_TRUE(frame->is_current);
+  EXPECT_EQ(pixels(*frame), expected_pixels(equation("f = 0.25")));
 }
 
 TEST(PreviewService, ValuesTakeThePlaceOfThoseInTheDocument) {
