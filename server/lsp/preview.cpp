@@ -19,7 +19,8 @@ void write_value(JsonWriter& out, const features::ModelParameter& parameter) {
   out.end_array();
 }
 
-void write_parameter(JsonWriter& out, Positions& positions, const features::ModelParameter& parameter) {
+void write_parameter(JsonWriter& out, Positions& positions, std::string_view uri,
+                     const features::ModelParameter& parameter) {
   out.begin_object();
   out.member("name", parameter.name);
   out.member("label", parameter.spelling);
@@ -27,7 +28,8 @@ void write_parameter(JsonWriter& out, Positions& positions, const features::Mode
   write_value(out, parameter);
   out.member("low", parameter.low);
   out.member("high", parameter.high);
-  write_range(out, "range", positions.range(parameter.literal));
+  out.key("location");
+  write_location(out, positions, uri, parameter.literal);
   out.end_object();
 }
 
@@ -118,7 +120,7 @@ Session::Outcome Session::parameters(const ModelParams& params, JsonWriter& resu
   Positions places = positions(*open);
   result.begin_array();
   for (const features::ModelParameter& parameter : features::model_parameters(snapshot, params.root)) {
-    write_parameter(result, places, parameter);
+    write_parameter(result, places, params.uri, parameter);
   }
   result.end_array();
   return std::nullopt;

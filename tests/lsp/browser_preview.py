@@ -213,10 +213,11 @@ def check_writing(editor, browser):
     assert browser.refused("texbrdf/applyEdit", {"changes": [{**change, "version": 1}]}) == failed, "an old version"
     assert browser.refused("texbrdf/applyEdit", {"changes": [{**change, "uri": "file:///etc/passwd"}]}) == failed
     assert browser.refused("texbrdf/applyEdit", {"changes": [{**change, "newText": "a\nb"}]}) == failed, "no value"
-    browser.request("texbrdf/reveal", {"uri": URI, "range": parameter["range"]})
+    place = parameter["location"]
+    browser.request("texbrdf/reveal", place)
     shown = editor.wait_for("window/showDocument")["params"]
-    assert shown == {"uri": URI, "takeFocus": True, "selection": parameter["range"]}, shown
-    assert browser.refused("texbrdf/reveal", {"uri": "https://evil.example/", "range": parameter["range"]}) == failed
+    assert shown == {"uri": URI, "takeFocus": True, "selection": place["range"]}, shown
+    assert browser.refused("texbrdf/reveal", {**place, "uri": "https://evil.example/"}) == failed
 
 
 def check_what_browsers_may_not(browser):

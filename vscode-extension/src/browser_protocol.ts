@@ -1,6 +1,5 @@
 // What a browser and `texbrdf lsp --preview-port` say to each other beyond protocol.ts (docs/lsp.md). No other file names these methods.
-import type { Range } from 'vscode-languageserver-protocol';
-import type { Events } from './protocol';
+import type { Events, Location } from './protocol';
 import type { TextChange } from './text_changes';
 
 /** The document that was opened or edited last in the editor. */
@@ -14,7 +13,7 @@ export interface Edited {
 export interface BrowserRequests {
   /** The answer says only that the editor was asked; `edited` says what it did. */
   'texbrdf/applyEdit': [{ changes: TextChange[] }, { edit: number }];
-  'texbrdf/reveal': [{ uri: string; range: Range }, null];
+  'texbrdf/reveal': [Location, null];
 }
 
 export interface BrowserEvents extends Events {

@@ -80,6 +80,11 @@ export interface RootParams {
   root?: string;
 }
 
+export interface Location {
+  uri: string;
+  range: Range;
+}
+
 export interface Parameter {
   /** Canonical: what requests call it. */
   name: string;
@@ -90,8 +95,8 @@ export interface Parameter {
   value: number[];
   low: number;
   high: number;
-  /** Of the number in the document. */
-  range: Range;
+  /** Of the number, which may stand in another file of the project. */
+  location: Location;
 }
 
 export interface SetParameterParams {
@@ -150,11 +155,6 @@ export interface Probed {
   definition?: { name: string; type: Definition['type']; value: Value[] };
   /** Why there are no values, as where they would have to be waited for. */
   problem?: string;
-}
-
-export interface Location {
-  uri: string;
-  range: Range;
 }
 
 export interface FirstBadPixel extends Point {

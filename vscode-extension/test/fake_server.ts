@@ -11,8 +11,8 @@ import type { ToPage } from '../src/preview/messages';
 export const look = { light: { theta: 30, phi: 150 }, zoom: 1, exposure: 0, gamma: 2, cosine: true };
 export const nowhere = { start: { line: 0, character: 0 }, end: { line: 0, character: 1 } };
 
-export function real(name: string, value: number): Parameter {
-  return { name, label: name, type: 'real', value: [value], low: 0, high: 1, range: nowhere };
+export function real(name: string, value: number, uri = 'file:///a.tex'): Parameter {
+  return { name, label: name, type: 'real', value: [value], low: 0, high: 1, location: { uri, range: nowhere } };
 }
 
 export function definition(name: string): Definition {
@@ -46,7 +46,7 @@ export class Fake implements Connection {
       this.applied.push(changes);
       return Promise.resolve(this.applies.shift() ?? true);
     },
-    reveal: (uri, { range }) => this.revealed.push({ uri, range }),
+    reveal: (place) => this.revealed.push(place),
     saveImage: () => undefined,
     roots: () => Promise.resolve({ root: 'f', candidates: ['f', 'g'] }),
     report: (problem) => this.reports.push(problem),

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { Fake, frame, look, opened, real } from './fake_server';
+import { Fake, frame, look, nowhere, opened, real } from './fake_server';
 
 test('a preview is opened with the size and the look of the page', async () => {
   const fake = new Fake();
@@ -116,6 +116,27 @@ test('an edit of the text moves the sliders', async () => {
   assert.deepEqual(fake.posted.at(-1), { type: 'version', version: 2 });
   await new Promise((resolve) => setTimeout(resolve, 100));
   assert.deepEqual(fake.ofType('parameters').at(-1)?.parameters, [real('m', 0.75)]);
+});
+
+test('an edit of another file of the project moves the sliders', async () => {
+  const fake = await opened({ parameters: [real('m', 0.25, 'file:///terms.tex')] });
+  fake.parameters = [real('m', 0.75, 'file:///terms.tex')];
+  fake.session.stateArrived({ preview: 2, uri: 'file:///b.tex', version: 1, state: 'good', message: '' });
+  await new Promise((resolve) => setTimeout(resolve, 100));
+  assert.deepEqual(fake.ofType('parameters').at(-1)?.parameters[0]?.value, [0.25]);
+  fake.session.stateArrived({ preview: 1, uri: 'file:///a.tex', version: 1, state: 'good', message: '' });
+  await new Promise((resolve) => setTimeout(resolve, 100));
+  assert.deepEqual(fake.ofType('parameters').at(-1)?.parameters, fake.parameters);
+});
+
+test('a parameter is shown and written in the file that it stands in', async () => {
+  const fake = await opened({ parameters: [real('m', 0.25, 'file:///terms.tex')] });
+  await fake.session.pageSays({ type: 'reveal', name: 'm' });
+  await fake.session.pageSays({ type: 'reveal', name: 'gone' });
+  assert.deepEqual(fake.revealed, [{ uri: 'file:///terms.tex', range: nowhere }]);
+  fake.edit = { documentChanges: [{ textDocument: { uri: 'file:///terms.tex', version: null }, edits: [{ range: nowhere, newText: '0.5' }] }] };
+  await fake.session.pageSays({ type: 'write', name: 'm', value: [0.5] });
+  assert.deepEqual(fake.applied, [[{ uri: 'file:///terms.tex', version: null, range: nowhere, newText: '0.5' }]]);
 });
 
 test('errors leave the sliders where they are', async () => {

@@ -35,9 +35,17 @@ open a.tex
          "value": [0.5,0.25,0],
          "low": 0,
          "high": 1,
-         "range": "2:12-2:30"
+         "location": {"uri":"a.tex","range":"2:12-2:30"}
        },
-       {"name":"m","label":"m","type":"real","value":[0.3],"low":0.01,"high":2,"range":"5:7-5:10"}
+       {
+         "name": "m",
+         "label": "m",
+         "type": "real",
+         "value": [0.3],
+         "low": 0.01,
+         "high": 2,
+         "location": {"uri":"a.tex","range":"5:7-5:10"}
+       }
      ]
    }
 -> texbrdf/parameters {"uri": "file:///work/a.tex", "root": "f_d"}
@@ -51,7 +59,7 @@ open a.tex
          "value": [0.5,0.25,0],
          "low": 0,
          "high": 1,
-         "range": "2:12-2:30"
+         "location": {"uri":"a.tex","range":"2:12-2:30"}
        }
      ]
    }

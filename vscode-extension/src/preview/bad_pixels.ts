@@ -4,7 +4,7 @@ import { wordsOf } from '../words_of';
 import type { ShownPreview } from './shown_preview';
 
 export interface Pointer {
-  reveal: (uri: string, place: Location) => void;
+  reveal: (place: Location) => void;
   report: (problem: string) => void;
 }
 
@@ -21,7 +21,7 @@ export async function showBadPixel(shown: ShownPreview, { reveal, report }: Poin
     }
     shown.post({ type: 'badPixel', pixel: first });
     if (first.location === null) report(`The document has no definition of ${first.label} any more.`);
-    else reveal(first.location.uri, first.location);
+    else reveal(first.location);
   } catch (error) {
     report(wordsOf(error));
   }

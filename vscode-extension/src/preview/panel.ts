@@ -2,9 +2,8 @@
 import { randomBytes } from 'node:crypto';
 import * as path from 'node:path';
 import * as vscode from 'vscode';
-import type { Range } from 'vscode-languageserver-protocol';
 import { activeDocument, findDocument } from '../documents';
-import type { Api, Look } from '../protocol';
+import type { Api, Location, Look } from '../protocol';
 import { rootsOf } from '../roots';
 import type { ServerProcess } from '../server_process';
 import type { TextChange } from '../text_changes';
@@ -130,14 +129,14 @@ async function apply(changes: TextChange[]): Promise<boolean> {
   return vscode.workspace.applyEdit(whole);
 }
 
-async function show(uri: string, { range: { start, end } }: { range: Range }): Promise<void> {
+async function show({ uri, range: { start, end } }: Location): Promise<void> {
   const editor = await vscode.window.showTextDocument(vscode.Uri.parse(uri), { viewColumn: columnOf(uri) });
   editor.selection = new vscode.Selection(start.line, start.character, end.line, end.character);
   editor.revealRange(editor.selection, vscode.TextEditorRevealType.InCenterIfOutsideViewport);
 }
 
-function reveal(uri: string, place: { range: Range }): void {
-  show(uri, place).catch((error: unknown) => { report(wordsOf(error)); });
+function reveal(place: Location): void {
+  show(place).catch((error: unknown) => { report(wordsOf(error)); });
 }
 
 function columnOf(uri: string): vscode.ViewColumn {

@@ -22,15 +22,14 @@ export class Pictures {
     this.frame = frame;
     this.unacknowledged = true;
     if (this.state === undefined || !frame.current || frame.version <= this.state.version) return false;
-    return this.stateArrived({ ...this.state, state: 'good', message: '' });
+    const hadErrors = this.hasErrors;
+    this.stateArrived({ ...this.state, state: 'good', message: '' });
+    return hadErrors;
   }
 
-  /** True where the document has no errors any more. */
-  stateArrived(state: PreviewStateParams): boolean {
-    const hadErrors = this.hasErrors;
+  stateArrived(state: PreviewStateParams): void {
     this.state = state;
     this.postState();
-    return hadErrors && state.state === 'good';
   }
 
   acknowledge(): void {

@@ -1,8 +1,7 @@
 // A preview of one document after the other: keeps the server and the page of right account of each other. Knows nothing of VS Code.
-import type { Range } from 'vscode-languageserver-protocol';
 import { Debounce } from '../debounce';
 import { largestSide, smallestSide } from '../protocol';
-import type { Api, FrameParams, Look, PreviewStateParams, Roots } from '../protocol';
+import type { Api, FrameParams, Location, Look, PreviewStateParams, Roots } from '../protocol';
 import type { TextChange } from '../text_changes';
 import { wordsOf } from '../words_of';
 import { showBadPixel } from './bad_pixels';
@@ -26,7 +25,7 @@ export interface Surroundings {
   post: (message: ToPage) => void;
   /** One step that can be undone; false where the document has changed since. */
   apply: (changes: TextChange[]) => Promise<boolean>;
-  reveal: (uri: string, place: { range: Range }) => void;
+  reveal: (place: Location) => void;
   saveImage: (png: string, name: string) => void;
   roots: (uri: string) => Promise<Roots>;
   report: (problem: string) => void;
@@ -113,8 +112,11 @@ export class Session {
     this.plots.refresh();
   }
 
+  /** After each change of what is drawn, wherever in the project it was made: numbers may be others too. */
   stateArrived(state: PreviewStateParams): void {
-    if (state.preview === this.preview && this.pictures.stateArrived(state)) this.refreshSoon();
+    if (state.preview !== this.preview) return;
+    this.pictures.stateArrived(state);
+    this.refreshSoon();
   }
 
   /** The page is gone, as when its tab is hidden. What it did not show stays unacknowledged: no picture is sent to nobody. */
@@ -258,7 +260,7 @@ export class Session {
 
   private revealParameter(name: string): void {
     const parameter = this.parameters.find(name);
-    if (parameter !== undefined && this.subject !== undefined) this.around.reveal(this.subject.uri, parameter);
+    if (parameter !== undefined) this.around.reveal(parameter.location);
   }
 
   /** For a window that is loaded again. */

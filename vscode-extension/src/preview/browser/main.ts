@@ -32,7 +32,7 @@ const session = new Session({
   api,
   post: postToPage,
   apply: (changes) => editor.apply(changes),
-  reveal: (uri, { range }) => { link.request('texbrdf/reveal', { uri, range }).catch((error: unknown) => { report(String(error)); }); },
+  reveal: (place) => { link.request('texbrdf/reveal', place).catch((error: unknown) => { report(String(error)); }); },
   roots: (uri) => api.roots(uri).catch(() => none),
   saveImage, report,
   standardLook: () => defaultLook,
