@@ -3,7 +3,7 @@ import { spawn } from 'node:child_process';
 import * as path from 'node:path';
 import * as vscode from 'vscode';
 import { activeDocument } from './documents';
-import { exportKinds, noRenderer } from './export_kinds';
+import { exportKinds, noRenderer, pictureSize, sizeHint, usualSize } from './export_kinds';
 import type { ExportKind } from './export_kinds';
 import { standardLook } from './preview/standard_look';
 import type { ServerProcess } from './server_process';
@@ -15,10 +15,12 @@ export function exportCommand(server: ServerProcess): vscode.Disposable {
     if (document === undefined) return;
     const kind = await vscode.window.showQuickPick(exportKinds, { title: 'Export as' });
     if (kind === undefined) return;
+    const size = kind.isPicture ? await askForSize() : usualSize;
+    if (size === undefined) return;
     const target = await vscode.window.showSaveDialog({ defaultUri: proposed(document, kind), filters: { [kind.label]: [kind.extension] } });
     if (target === undefined) return;
     try {
-      await vscode.workspace.fs.writeFile(target, await made(server.locate().program, kind, document));
+      await vscode.workspace.fs.writeFile(target, await made(server.locate().program, kind, size, document));
       void vscode.window.showInformationMessage(`texbrdf wrote ${path.basename(target.path)}.`);
     } catch (error) {
       server.log.appendLine(String(error));
@@ -27,15 +29,22 @@ export function exportCommand(server: ServerProcess): vscode.Disposable {
   });
 }
 
+async function askForSize(): Promise<number | undefined> {
+  const answer = await vscode.window.showInputBox({
+    title: 'Width and height of the picture', prompt: sizeHint, value: `${usualSize}`,
+    validateInput: (text) => pictureSize(text) === undefined ? sizeHint : undefined,
+  });
+  return answer === undefined ? undefined : pictureSize(answer);
+}
+
 function proposed({ uri }: vscode.TextDocument, { extension }: ExportKind): vscode.Uri {
   const folder = vscode.workspace.workspaceFolders?.[0]?.uri ?? vscode.Uri.file(process.cwd());
   const base = uri.scheme === 'untitled' ? vscode.Uri.joinPath(folder, path.posix.basename(uri.path)) : uri;
   return base.with({ path: `${base.path.replace(/\.\w+$/, '')}.${extension}` });
 }
 
-async function made(program: string, kind: ExportKind, document: vscode.TextDocument): Promise<Uint8Array> {
+async function made(program: string, kind: ExportKind, size: number, document: vscode.TextDocument): Promise<Uint8Array> {
   const { exposure, gamma } = standardLook();
-  const size = vscode.workspace.getConfiguration('texbrdf').get('export.pictureSize', 512);
   const first = await run(program, kind.arguments({ size, exposure, gamma }), document);
   const last = first.status === noRenderer && kind.withoutRenderer !== undefined
     ? await run(program, [...kind.arguments({ size, exposure, gamma }), ...kind.withoutRenderer], document)
