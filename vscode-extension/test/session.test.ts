@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { Fake, frame, look, nowhere, opened, real } from './fake_server';
+import { Fake, frame, look, nowhere, opened, real, somePlot } from './fake_server';
 
 test('a preview is opened with the size and the look of the page', async () => {
   const fake = new Fake();
@@ -34,6 +34,31 @@ test('what a hidden page missed is shown when it is back', async () => {
   assert.equal(fake.ofType('picture').length, 0);
   await fake.session.pageSays({ type: 'ready' });
   assert.equal(fake.ofType('picture')[0]?.picture.version, 5);
+});
+
+test('what is pinned is there again when the page is', async () => {
+  const fake = await opened();
+  const pin = { png: 'BBBB', plot: somePlot };
+  await fake.session.pageSays({ type: 'pin', pin });
+  assert.deepEqual(fake.posted.at(-1), { type: 'pinned', pin });
+  fake.session.pageLost();
+  await fake.session.pageSays({ type: 'ready' });
+  assert.deepEqual(fake.ofType('pinned').at(-1), { type: 'pinned', pin });
+  await fake.session.reopen();
+  assert.deepEqual(fake.ofType('pinned').at(-1), { type: 'pinned', pin });
+  await fake.session.pageSays({ type: 'pin', pin: null });
+  await fake.session.pageSays({ type: 'ready' });
+  assert.deepEqual(fake.ofType('pinned').at(-1), { type: 'pinned', pin: null });
+});
+
+test('what is pinned is of its document', async () => {
+  const fake = await opened();
+  const pin = { png: 'BBBB', plot: null };
+  await fake.session.pageSays({ type: 'pin', pin });
+  await fake.show('b.tex');
+  assert.equal(fake.ofType('pinned').at(-1)?.pin, null);
+  await fake.show('a.tex');
+  assert.deepEqual(fake.ofType('pinned').at(-1)?.pin, pin);
 });
 
 test('frames of another preview are not shown', async () => {

@@ -144,6 +144,25 @@ export const previewSteps = [
     },
   },
   {
+    name: 'what is pinned is there again when its tab was hidden',
+    run: async (editor) => {
+      const { png } = await frame(editor);
+      const pinned = editor.webview.locator('#pinned');
+      await editor.webview.locator('#pin').click();
+      await pinned.waitFor();
+      await editor.page.locator('.tab', { hasText: 'BRDF paper.tex' }).click();
+      await editor.command('File: New Untitled Text File');
+      await editor.page.locator('.tab.active', { hasText: 'Untitled-1' }).waitFor();
+      await editor.page.locator('iframe.webview.ready[src*="extensionId=texbrdf"]').waitFor({ state: 'hidden' });
+      await editor.page.locator('.tab', { hasText: 'Untitled-1' }).click({ button: 'middle' });
+      await pinned.waitFor();
+      assert.equal(await pinned.evaluate((image) => image.src.split(',')[1]), png);
+      await frame(editor);
+      await editor.webview.locator('#pin').click();
+      await pinned.waitFor({ state: 'hidden' });
+    },
+  },
+  {
     name: 'a colour that is picked stands in the document',
     run: async (editor, { program }) => {
       await editor.webview.locator('input[type=color]').evaluate((input) => {

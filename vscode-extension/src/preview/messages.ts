@@ -15,6 +15,13 @@ export interface Picture {
   current: boolean;
 }
 
+/** What is kept to be compared with what comes later. */
+export interface Pin {
+  png: string;
+  /** Null where no plots were shown. */
+  plot: Plot | null;
+}
+
 export type ToPage =
   | { type: 'document'; uri: string; name: string; version: number; roots: string[]; root: string | null }
   | { type: 'version'; version: number }
@@ -26,6 +33,7 @@ export type ToPage =
   | { type: 'probed'; readout: Probed | null }
   | { type: 'plot'; plot: Plot }
   | { type: 'badPixel'; pixel: FirstBadPixel }
+  | { type: 'pinned'; pin: Pin | null }
   | { type: 'remember'; memory: Memory };
 
 export type FromPage =
@@ -42,4 +50,5 @@ export type FromPage =
   | { type: 'definition'; name: string | null }
   | { type: 'plots'; shown: boolean }
   | { type: 'showBad' }
+  | { type: 'pin'; pin: Pin | null }
   | { type: 'saveImage' };

@@ -5,7 +5,7 @@ import type { Api, FrameParams, Location, Look, PreviewStateParams, Roots } from
 import type { TextChange } from '../text_changes';
 import { wordsOf } from '../words_of';
 import { showBadPixel } from './bad_pixels';
-import type { FromPage, ToPage } from './messages';
+import type { FromPage, Pin, ToPage } from './messages';
 import { Parameters } from './parameters';
 import { Pictures } from './pictures';
 import { Plots } from './plots';
@@ -44,6 +44,8 @@ export class Session {
   /** Grows with each document, so that answers about an earlier one are known. */
   private turn = 0;
   private pageReady = false;
+  /** Outlives the page, which is made anew when its tab was hidden. */
+  private pinned: { uri: string; pin: Pin } | undefined;
   private roots: Roots = { root: null, candidates: [] };
   private readonly shown: ShownPreview;
   private readonly pictures: Pictures;
@@ -72,6 +74,7 @@ export class Session {
     this.parameters.forget();
     this.roots = { root: null, candidates: [] };
     this.postDocument();
+    this.postPin();
     this.remember();
     await this.open();
   }
@@ -140,6 +143,7 @@ export class Session {
       case 'probe': this.readout.pointAt(message.point ?? undefined); break;
       case 'definition': this.readout.choose(message.name ?? undefined); break;
       case 'plots': this.plots.show(message.shown); break;
+      case 'pin': this.pin(message.pin); break;
       case 'showBad': await showBadPixel(this.shown, this.around); break;
       case 'saveImage': if (this.pictures.png !== undefined) this.around.saveImage(this.pictures.png, this.subject?.name ?? ''); break;
     }
@@ -193,6 +197,7 @@ export class Session {
     this.around.post({ type: 'look', look: this.look, standard: this.around.standardLook() });
     this.parameters.post();
     this.readout.postDefinitions();
+    this.postPin();
     this.remember();
     this.pictures.postState();
     this.pictures.post();
@@ -203,6 +208,17 @@ export class Session {
     if (subject === undefined) return;
     const root = subject.root ?? this.roots.root;
     this.around.post({ type: 'document', uri: subject.uri, name: subject.name, version: subject.version, roots: this.roots.candidates, root });
+  }
+
+  private pin(pin: Pin | null): void {
+    if (this.subject === undefined) return;
+    this.pinned = pin === null ? undefined : { uri: this.subject.uri, pin };
+    this.postPin();
+  }
+
+  private postPin(): void {
+    const pin = this.pinned?.uri === this.subject?.uri ? this.pinned?.pin : undefined;
+    this.around.post({ type: 'pinned', pin: pin ?? null });
   }
 
   private async resize(side: number): Promise<void> {

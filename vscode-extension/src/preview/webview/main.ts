@@ -4,7 +4,7 @@ import { markBadPixel, watchBadPixels } from './bad_pixels';
 import { element, keep, oncePerFrame, tell } from './host';
 import { showLook, watchLook } from './look';
 import { forgetPicture, pictureBlob, showPicture, showState, showVersion } from './picture';
-import { unpin, watchPin } from './pin';
+import { showPin, watchPin } from './pin';
 import { forgetPlot, nameRoot, showPlot, watchPlots } from './plots';
 import { clearReadout, showDefinitions, showReadout, showRoot, watchReadout } from './readout';
 import { showParameters, watchSliders } from './sliders';
@@ -15,7 +15,6 @@ let shownUri = '';
 function showDocument({ uri, name, version, roots, root }: ToPage & { type: 'document' }): void {
   if (uri !== shownUri) {
     forgetPicture();
-    unpin();
     clearReadout();
     forgetPlot();
   }
@@ -40,6 +39,7 @@ function receive(message: ToPage): void {
     case 'probed': showReadout(message.readout); break;
     case 'plot': showPlot(message.plot); break;
     case 'badPixel': markBadPixel(message.pixel); break;
+    case 'pinned': showPin(message.pin); break;
     case 'remember': keep({ session: message.memory }); break;
   }
 }

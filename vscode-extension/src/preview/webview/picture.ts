@@ -50,6 +50,10 @@ export function forgetPicture(): void {
   refresh();
 }
 
+export function shownPicture(): Picture | undefined {
+  return last;
+}
+
 /** For the clipboard. */
 export async function pictureBlob(): Promise<Blob> {
   const bytes = Uint8Array.from(atob(last?.png ?? ''), (character) => character.charCodeAt(0));

@@ -1,36 +1,43 @@
 // A picture that is kept, to be compared with later ones: beside them, or over their left part; and its curves.
-import { element } from './host';
-import { pinPlot } from './plots';
+import type { Pin } from '../messages';
+import { element, keep, kept, tell } from './host';
+import { shownPicture } from './picture';
+import { shownPlot, showPinnedPlot } from './plots';
 
 const stage = element('stage');
-const picture = element<HTMLImageElement>('picture');
 const pinned = element<HTMLImageElement>('pinned');
 const button = element<HTMLButtonElement>('pin');
 const choice = element<HTMLSelectElement>('compare');
 const wipe = element<HTMLInputElement>('wipe');
 
 export function watchPin(): void {
-  button.addEventListener('click', () => {
-    if (pinned.hidden) pin();
-    else unpin();
+  recall();
+  button.addEventListener('click', () => { tell({ type: 'pin', pin: pinned.hidden ? shownState() : null }); });
+  choice.addEventListener('change', () => {
+    keep({ compare: choice.value });
+    refresh();
   });
-  choice.addEventListener('change', refresh);
+  wipe.addEventListener('change', () => { keep({ wipe: wipe.value }); });
   wipe.addEventListener('input', refresh);
 }
 
-export function unpin(): void {
-  pinned.hidden = true;
-  pinned.removeAttribute('src');
-  pinPlot(false);
+export function showPin(pin: Pin | null): void {
+  pinned.hidden = pin === null;
+  if (pin === null) pinned.removeAttribute('src');
+  else pinned.src = `data:image/png;base64,${pin.png}`;
+  showPinnedPlot(pin?.plot ?? undefined);
   refresh();
 }
 
-function pin(): void {
-  if (picture.hidden) return;
-  pinned.src = picture.src;
-  pinned.hidden = false;
-  pinPlot(true);
-  refresh();
+function shownState(): Pin | null {
+  const picture = shownPicture();
+  return picture === undefined ? null : { png: picture.png, plot: shownPlot() ?? null };
+}
+
+function recall(): void {
+  const { compare, wipe: part } = kept();
+  if (compare === 'over') choice.value = compare;
+  if (typeof part === 'string') wipe.value = part;
 }
 
 function refresh(): void {

@@ -71,8 +71,12 @@ export function nameRoot(name: string | null): void {
   draw(undefined);
 }
 
-export function pinPlot(isPinned: boolean): void {
-  pinned = isPinned ? current : undefined;
+export function shownPlot(): Plot | undefined {
+  return current;
+}
+
+export function showPinnedPlot(plot: Plot | undefined): void {
+  pinned = plot;
   draw(undefined);
 }
 
