@@ -117,7 +117,7 @@ export class Editor {
     this.file = file;
     const item = this.page.locator('.explorer-folders-view .monaco-list-row', { hasText: file });
     await item.dblclick();
-    await this.page.locator('.tab.active', { hasText: file }).waitFor();
+    await this.page.locator(`.tab.active[data-resource-name="${file}"]`).waitFor();
     await this.page.locator('.editor-instance .view-line').first().waitFor();
   }
 

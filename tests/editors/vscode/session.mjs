@@ -6,6 +6,7 @@ import path from 'node:path';
 import { codeSteps } from './code_steps.mjs';
 import { Editor, serverMain } from './editor.mjs';
 import { previewSteps } from './preview_steps.mjs';
+import { projectSteps } from './project_steps.mjs';
 import { textSteps } from './text_steps.mjs';
 import { valueSteps } from './values_steps.mjs';
 import { windowSteps } from './window_steps.mjs';
@@ -36,7 +37,7 @@ let failed = 0;
 let number = 0;
 const only = process.env.STEPS === undefined ? undefined : new RegExp(process.env.STEPS);
 try {
-  for (const { name, run } of [...textSteps, ...previewSteps, ...valueSteps, ...codeSteps, ...windowSteps]) {
+  for (const { name, run } of [...textSteps, ...previewSteps, ...valueSteps, ...codeSteps, ...projectSteps, ...windowSteps]) {
     if (only !== undefined && !only.test(name)) continue;
     const shot = `${String(++number).padStart(2, '0')}-${name.replace(/\W+/g, '-')}`;
     try {
