@@ -37,7 +37,7 @@ let failed = 0;
 let number = 0;
 const only = process.env.STEPS === undefined ? undefined : new RegExp(process.env.STEPS);
 try {
-  for (const { name, run } of [...textSteps, ...previewSteps, ...valueSteps, ...codeSteps, ...projectSteps, ...windowSteps]) {
+  for (const { name, run } of [...textSteps, ...previewSteps, ...valueSteps, ...projectSteps, ...codeSteps, ...windowSteps]) {
     if (only !== undefined && !only.test(name)) continue;
     const shot = `${String(++number).padStart(2, '0')}-${name.replace(/\W+/g, '-')}`;
     try {
