@@ -41,9 +41,8 @@ class FactorUpdate {
 
   void settle(BlockLabel label) {
     const AnalysedBlock& block = *blocks_.analysed(label);
-    const std::vector<uint32_t> factors =
-        find_factors(block.parsed, block.names, *state_.names,
-                     [this](NameId name) { return state_.name_states[name.value].kind; });
+    const std::vector<uint32_t> factors = find_factors(
+        block.parsed, block.names, *state_.names, [this](NameId name) { return state_.name_states[name.value].kind; });
     if (std::ranges::equal(factors, block.parsed.factors)) return;
     ++counters_.blocks_parsed;
     if (blocks_.find(label) == nullptr) ++state_.rereadings;
