@@ -3,7 +3,7 @@ import { spawn } from 'node:child_process';
 import type { ChildProcess } from 'node:child_process';
 import { statSync } from 'node:fs';
 import * as vscode from 'vscode';
-import { CloseAction, ErrorAction, LanguageClient, State } from 'vscode-languageclient/node';
+import { CloseAction, ErrorAction, LanguageClient } from 'vscode-languageclient/node';
 import type {
   LanguageClientOptions, StaticFeature, WorkDoneProgressBegin, WorkDoneProgressEnd, WorkDoneProgressReport,
 } from 'vscode-languageclient/node';
@@ -104,9 +104,9 @@ export class ServerProcess implements Connection, vscode.Disposable {
     client.registerFeature(announceCommands);
     client.onNotification(frameEvent, (frame: FrameParams) => { this.frameArrived.fire(frame); });
     client.onNotification(stateEvent, (state: PreviewStateParams) => { this.previewStateArrived.fire(state); });
-    client.onDidChangeState(({ newState }) => { if (newState === State.Running) this.becomeReady(); });
     try {
-      await client.start();
+      await client.start(); // Not ready before: the documents that are open are told of last.
+      if (this.client === client) this.becomeReady();
     } catch (error) {
       if (this.client !== client) return;
       if (error instanceof NotStarted) await this.fail(error.message);
