@@ -1,7 +1,5 @@
-// Generated code beside its document, and files that are written.
+// Generated code beside its document.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
-import path from 'node:path';
 import { waitUntil } from './editor.mjs';
 
 const exponent = { in: '% range' };
@@ -44,19 +42,6 @@ export const codeSteps = [
       await editor.page.keyboard.type('33');
       await editor.page.locator('.view-line', { hasText: 'const float p = 33.0;' }).waitFor();
       await waitUntil(() => marksBeside(editor, 'const float p ='), (count) => count === 1);
-    },
-  },
-  {
-    name: 'export writes a file',
-    run: async (editor) => {
-      await editor.click('range', exponent);
-      await editor.command('texbrdf: Export');
-      await editor.pick('GLSL');
-      const name = editor.page.locator('.quick-input-widget input.input');
-      await editor.page.waitForFunction(() => document.querySelector('.quick-input-widget input.input')?.value.endsWith('paper.glsl'));
-      await name.press('Enter');
-      await editor.page.locator('.notification-toast', { hasText: 'texbrdf wrote paper.glsl' }).waitFor();
-      assert.match(readFileSync(path.join(editor.workspace, 'paper.glsl'), 'utf8'), /const float p = 33\.0;/);
     },
   },
 ];

@@ -1,6 +1,6 @@
-// VS Code with one extension, in a browser without a window: started, looked at, typed into, and ended as a whole.
+// VS Code with extensions, in a browser without a window: started, looked at, typed into, and ended as a whole.
 import { execFileSync, spawn } from 'node:child_process';
-import { cpSync, mkdirSync, mkdtempSync, openSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { cpSync, existsSync, mkdirSync, mkdtempSync, openSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { createServer } from 'node:net';
 import { homedir, tmpdir } from 'node:os';
@@ -44,25 +44,25 @@ export async function waitUntil(read, isWanted, complaint = (found) => `it stays
 
 export class Editor {
   /** Opens a copy of the workspace; screenshots and logs go to `out`. */
-  static async start({ vsix, workspace, out }) {
+  static async start({ extensions, workspace, out }) {
     const editor = new Editor();
     editor.out = out;
     editor.folder = mkdtempSync(path.join(tmpdir(), 'texbrdf-vscode-'));
     editor.workspace = path.join(editor.folder, 'workspace');
     cpSync(workspace, editor.workspace, { recursive: true });
-    await editor.startServer(vsix);
+    await editor.startServer(extensions);
     await editor.startBrowser();
     return editor;
   }
 
-  async startServer(vsix) {
+  async startServer(packages) {
     const [data, extensions, home] = ['data', 'extensions', 'home'].map((name) => path.join(this.folder, name));
     mkdirSync(path.join(data, 'User'), { recursive: true });
     mkdirSync(home);
     writeFileSync(path.join(data, 'User', 'settings.json'), JSON.stringify(settings));
     const environment = { ...process.env, HOME: home };
     const folders = ['--accept-server-license-terms', '--server-data-dir', this.folder, '--user-data-dir', data, '--extensions-dir', extensions];
-    execFileSync(process.execPath, [serverMain, ...folders, '--install-extension', vsix], { env: environment, stdio: 'ignore' });
+    execFileSync(process.execPath, [serverMain, ...folders, ...packages.flatMap((vsix) => ['--install-extension', vsix])], { env: environment, stdio: 'ignore' });
     this.url = `http://127.0.0.1:${await freePort()}/`;
     const log = openSync(path.join(this.out, 'server.log'), 'w');
     this.server = spawn(process.execPath, [serverMain, '--host', '127.0.0.1', '--port', new URL(this.url).port, '--without-connection-token',
@@ -140,6 +140,23 @@ export class Editor {
     await this.page.locator('.tab', { hasText: this.file }).first().waitFor();
     await this.page.waitForFunction(() => document.querySelector('.tab.dirty') === null);
     return readFileSync(path.join(this.workspace, this.file), 'utf8');
+  }
+
+  /** What the user has set. */
+  userSettings() {
+    return JSON.parse(readFileSync(path.join(this.folder, 'data', 'User', 'settings.json'), 'utf8'));
+  }
+
+  /** The bytes of a file of the workspace, if there is one. */
+  read(name) {
+    const file = path.join(this.workspace, name);
+    return existsSync(file) ? readFileSync(file) : undefined;
+  }
+
+  /** The line in which a file to be written is named, once this name is proposed. */
+  async waitForFileDialog(name) {
+    await this.page.waitForFunction((wanted) => document.querySelector('.quick-input-widget input.input')?.value.endsWith(`/${wanted}`), name);
+    return this.page.locator('.quick-input-widget input.input');
   }
 
   /** The text, as soon as it is as expected. */

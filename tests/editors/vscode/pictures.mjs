@@ -2,7 +2,7 @@
 import { execFileSync } from 'node:child_process';
 import { waitUntil } from './editor.mjs';
 
-const most = 2; // of 255, between a frame and `texbrdf render`
+export const most = 2; // of 255, between a frame and `texbrdf render`
 
 /** What the pane shows once the editor's text has been drawn: its PNG and its status line. */
 export async function frame(editor, source = 'GPU') {
@@ -14,9 +14,9 @@ export async function frame(editor, source = 'GPU') {
   }));
 }
 
-/** The largest difference of a channel between two PNGs, each over black; decoded by the page itself. */
+/** The largest difference of a channel between two PNGs, each over black; decoded by the browser. */
 export async function difference(editor, one, other) {
-  return editor.webview.locator('body').evaluate(async (_, pictures) => {
+  return editor.page.evaluate(async (pictures) => {
     const [a, b] = await Promise.all(pictures.map(async (png) => {
       const image = new Image();
       image.src = `data:image/png;base64,${png}`;
@@ -32,7 +32,8 @@ export async function difference(editor, one, other) {
   }, [one, other]);
 }
 
-function rendered(program, text, size, options = []) {
+/** What `texbrdf render` makes of the text, in base64. */
+export function rendered(program, text, size, options = []) {
   return execFileSync(program, ['render', '-', '-o', '-', '--size', `${size}`, ...options], { input: text }).toString('base64');
 }
 

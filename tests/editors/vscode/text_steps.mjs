@@ -7,7 +7,7 @@ import { waitUntil } from './editor.mjs';
 const wrong = { in: '\\frac' };
 
 /** The process ids of the server that this editor runs. */
-function servers(editor) {
+export function servers(editor) {
   return readdirSync('/proc').filter((name) => /^\d+$/.test(name)).filter((id) => {
     try {
       return readlinkSync(`/proc/${id}/exe`).startsWith(path.join(editor.folder, 'extensions')) && readFileSync(`/proc/${id}/cmdline`, 'utf8').includes('lsp');
