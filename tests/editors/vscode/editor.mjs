@@ -142,9 +142,9 @@ export class Editor {
     return readFileSync(path.join(this.workspace, this.file), 'utf8');
   }
 
-  /** What the user has set. */
+  /** What the user has set, as text: it may be read while it is written. */
   userSettings() {
-    return JSON.parse(readFileSync(path.join(this.folder, 'data', 'User', 'settings.json'), 'utf8'));
+    return readFileSync(path.join(this.folder, 'data', 'User', 'settings.json'), 'utf8');
   }
 
   /** The bytes of a file of the workspace, if there is one. */

@@ -39,7 +39,8 @@ async function setPixelRatio(editor, deviceScaleFactor, narrower) {
 
 async function waitForPixels(editor, ratio) {
   const side = () => editor.webview.locator('#stage').evaluate((stage) => Math.min(stage.clientWidth, stage.clientHeight));
-  await waitUntil(async () => [await side(), (await frame(editor)).width], ([points, pixels]) => pixels === ratio * points, ([points, pixels]) => `${points} points, ${pixels} pixels`);
+  await waitUntil(async () => [await side(), (await frame(editor)).width], ([points, pixels]) => pixels === ratio * points,
+    ([points, pixels]) => `${points} points, ${pixels} pixels`);
 }
 
 /** The least contrast between words of the pane and what is behind them, and where it is. */
@@ -92,7 +93,7 @@ function attack(body, { picture, style }) {
   const asked = fetch(picture).then(() => 'answered', () => 'refused');
   const loaded = new Promise((resolve) => { add('link', { rel: 'stylesheet', href: style, onload: () => resolve('loaded'), onerror: () => resolve('refused') }); });
   return Promise.all([asked, loaded]).then(async ([fetched, foreignStyle]) => {
-    while (refused.length < 6) await new Promise((resolve) => { setTimeout(resolve, 20); });
+    for (let tries = 0; tries < 1000 && refused.length < 6; ++tries) await new Promise((resolve) => { setTimeout(resolve, 20); });
     for (const element of [...added, body.querySelector(`link[href="${style}"]`)]) element?.remove();
     console.log('the attack is over');
     return { refused: refused.sort(), fetched, foreignStyle, intruded: window.intruded ?? false, shown: getComputedStyle(body).display };

@@ -6,13 +6,19 @@ import { waitUntil } from './editor.mjs';
 import { waitForPicture } from './pictures.mjs';
 import { servers } from './text_steps.mjs';
 
-const exponent = { in: '% range' };
 const status = (editor, label) => editor.page.locator(`.statusbar-item a[aria-label^="texbrdf: ${label}"]`);
+
+async function setExponent(editor, from, to) {
+  await editor.select(`${from}`, { in: '% range' });
+  await editor.page.keyboard.type(`${to}`);
+  await editor.waitForSource(new RegExp(`p = ${to} %`));
+}
+
 /** VS Code as it is installed for the tests has no part that writes logs (spdlog): what can be seen of the trace is the setting. */
 async function setTrace(editor, value) {
   await editor.command('texbrdf: Set trace');
   await editor.pick(value);
-  await waitUntil(() => editor.userSettings()['texbrdf.trace.server'], (found) => found === value);
+  await waitUntil(() => editor.userSettings(), (text) => text.includes(`"texbrdf.trace.server": "${value}"`));
 }
 
 function setServerPath(editor, server) {
@@ -30,6 +36,7 @@ function nextTrouble(editor) {
       observer.disconnect();
       resolve(label);
     });
+    setTimeout(() => { resolve('it stays ready'); }, 30000);
     observer.observe(document.querySelector('.part.statusbar'), { subtree: true, childList: true, attributes: true });
   }));
 }
@@ -42,16 +49,12 @@ export const serverSteps = [
       await waitForPicture(editor, program, ['--exposure', '0.5']);
       const [first] = servers(editor);
       process.kill(first, 'SIGSTOP');
-      await editor.select('60', exponent);
-      await editor.page.keyboard.type('25');
-      await editor.waitForSource(/p = 25 %/);
+      await setExponent(editor, 60, 25);
       await editor.webview.locator('#stage[data-fresh="outdated"]').waitFor();
       process.kill(first, 'SIGKILL');
       await waitForPicture(editor, program, ['--exposure', '0.5']);
       await editor.webview.locator('#resetLook').click();
-      await editor.select('25', exponent);
-      await editor.page.keyboard.type('60');
-      await editor.waitForSource(/p = 60 %/);
+      await setExponent(editor, 25, 60);
       await waitForPicture(editor, program);
     },
   },
@@ -64,8 +67,11 @@ export const serverSteps = [
       await editor.screenshot('no-server');
       setServerPath(editor, path.join(editor.workspace, 'paper.tex'));
       await status(editor, `does not run: ${path.join(editor.workspace, 'paper.tex')} is not executable`).waitFor();
+      await setExponent(editor, 60, 40);
       rmSync(path.join(editor.workspace, '.vscode'), { recursive: true });
       await status(editor, 'ready').waitFor();
+      await waitForPicture(editor, program);
+      await setExponent(editor, 40, 60);
       await waitForPicture(editor, program);
       await editor.command('Notifications: Clear All Notifications');
     },

@@ -20,7 +20,7 @@ import { windowSteps } from './window_steps.mjs';
 const [program, out] = process.argv.slice(2).map((argument) => path.resolve(argument));
 const notRun = 77;
 // Most build on those before.
-const steps = [textSteps, previewSteps, valueSteps, projectSteps, paneSteps, serverSteps, codeSteps, exportSteps, windowSteps, choiceSteps, neighbourSteps].flat();
+const steps = [textSteps, previewSteps, valueSteps, projectSteps, paneSteps, serverSteps, codeSteps, exportSteps, choiceSteps, neighbourSteps, windowSteps].flat();
 
 if (!existsSync(serverMain) || !existsSync(process.env.CHROMIUM ?? '/usr/bin/chromium')) {
   console.log('left out: VS Code or chromium is not installed; ./dev test installs them');

@@ -8,8 +8,10 @@ export const windowSteps = [
   {
     name: 'a window that is loaded again has its preview again',
     run: async (editor, { program }) => {
+      await editor.command('View: Close All Editors');
+      await editor.open('paper.tex');
       await editor.click('range', exponent);
-      await editor.page.locator('.editor-actions a[aria-label^="Open preview to the side"]').first().click();
+      await editor.page.locator('.editor-actions a[aria-label^="Open preview to the side"]').click();
       const kept = editor.webview.locator('body').evaluate(() => new Promise((resolve) => {
         addEventListener('message', ({ data }) => { if (data.type === 'remember' && data.memory.look.gamma === 3) resolve(); });
       }));
