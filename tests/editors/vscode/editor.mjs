@@ -153,6 +153,13 @@ export class Editor {
     return existsSync(file) ? readFileSync(file) : undefined;
   }
 
+  /** Answers the question that the words ask at the top of the window. */
+  async answer(words, text) {
+    const box = this.page.locator('.quick-input-widget', { hasText: words });
+    await box.locator('input.input').fill(text);
+    await this.page.keyboard.press('Enter');
+  }
+
   /** The line in which a file to be written is named, once this name is proposed. */
   async waitForFileDialog(name) {
     await this.page.waitForFunction((wanted) => document.querySelector('.quick-input-widget input.input')?.value.endsWith(`/${wanted}`), name);
