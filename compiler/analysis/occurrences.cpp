@@ -55,16 +55,6 @@ class NameReader {
 // A name that stands in one block of so many, or more, is not looked for block by block.
 constexpr uint32_t kFewest = 16;
 
-std::vector<LocatedBlock> all_blocks(const Snapshot::State& state) {
-  std::vector<LocatedBlock> blocks;
-  blocks.reserve(state.segments.measure().blocks);
-  state.segments.visit_from(0, [&](const Segment& segment, const Segment::Measure& before) {
-    if (segment.block) blocks.push_back(state.located(segment, before));
-    return true;
-  });
-  return blocks;
-}
-
 // Blocks lie all over the memory: waiting for one after the other would take half of the time that a search takes.
 constexpr size_t kAhead = 8;
 
@@ -79,11 +69,12 @@ void fetch_behind(std::span<const LocatedBlock> blocks, size_t at) {
 
 /// Visits the blocks that may hold a name, in document order.
 template <typename Visit>
-void visit_blocks_with(const Snapshot::State& state, NameId name, const Visit& visit) {
+void visit_blocks_with(const Snapshot& snapshot, const Snapshot::State& state, NameId name, const Visit& visit) {
   const NameOccurrences& occurrences = *state.occurrences.at(name.value).item;
   const bool is_in_most = occurrences.users.size() > state.segments.measure().blocks / kFewest;
   if (!state.lists_users || is_in_most) {
-    const std::vector<LocatedBlock> blocks = all_blocks(state);
+    snapshot.list_all();
+    const std::vector<LocatedBlock>& blocks = state.all_blocks->blocks;
     for (size_t i = 0; i < blocks.size(); ++i) {
       fetch_behind(blocks, i);
       visit(blocks[i]);
@@ -154,7 +145,7 @@ std::vector<Occurrence> Snapshot::occurrences_of(const Occurrence& occurrence) c
     read(state_->locate(occurrence.inside));
     return found;
   }
-  visit_blocks_with(*state_, occurrence.name, [&](const LocatedBlock& block) {
+  visit_blocks_with(*this, *state_, occurrence.name, [&](const LocatedBlock& block) {
     for (uint32_t i = 0; i < block.block->definitions.size(); ++i) {
       const LocatedDefinition definition{block, i};
       if (may_hold(definition, occurrence.name)) read(definition);
