@@ -50,9 +50,15 @@ class FactorSearch {
 
   /// `\cos^n(x)`: what follows belongs to the function.
   bool is_power_of_function(NodeId node) const {
-    const uint32_t first = block_.tree.node(node).first_token;
-    return first >= 2 && block_.tokens[first - 1].kind == TokenKind::Caret &&
-           block_.tokens[first - 2].kind == TokenKind::Function;
+    const uint32_t caret = token_before(block_.tree.node(node).first_token);
+    return block_.tokens[caret].kind == TokenKind::Caret &&
+           block_.tokens[token_before(caret)].kind == TokenKind::Function;
+  }
+
+  /// Without `&`, which the parser does not see either.
+  uint32_t token_before(uint32_t token) const {
+    while (token > 0 && block_.tokens[--token].kind == TokenKind::Ampersand) continue;
+    return token;
   }
 
   bool is_value(const DefinitionSyntax& definition, NameId name) const {
