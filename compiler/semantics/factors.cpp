@@ -57,7 +57,10 @@ class FactorSearch {
 
   /// Without `&`, which the parser does not see either.
   uint32_t token_before(uint32_t token) const {
-    while (token > 0 && block_.tokens[--token].kind == TokenKind::Ampersand) continue;
+    while (token > 0) {
+      --token;
+      if (block_.tokens[token].kind != TokenKind::Ampersand) break;
+    }
     return token;
   }
 
