@@ -7,9 +7,9 @@
 namespace texbrdf {
 
 bool AnalysedBlock::is_same(std::string_view text, const BlockExtent& extent) const {
-  const BlockExtent& own = parsed.extent;
-  return parsed.text == text && own.begin == extent.begin && own.content == extent.content && own.end == extent.end &&
-         own.ended_by == extent.ended_by;
+  BlockExtent own = parsed.extent;
+  own.whole = extent.whole;
+  return parsed.text == text && own == extent;
 }
 
 namespace {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <span>
 #include <unordered_set>
 #include <utility>
 
@@ -74,11 +75,26 @@ class Collector {
 
   void take_block(const LocatedBlock& block) {
     const size_t first = all_.size();
-    take(block.parsed().diagnostics, block.id, NameId{});
+    take_what_was_read(block);
     for (uint32_t i = 0; i < block.block->definitions.size(); ++i) take_definition({block, i});
     for (const Directive& directive : block.block->analysed->directives) {
       if (directive.kind == Directive::Kind::Allow) silence(directive.argument, first);
     }
+  }
+
+  /// What concerns no definition stays as it is, whatever the root needs.
+  void take_what_was_read(const LocatedBlock& block) {
+    const std::span<const Diagnostic> all(block.parsed().diagnostics);
+    const auto& definitions = block.parsed().definitions;
+    uint32_t next = 0;
+    for (uint32_t i = 0; i < definitions.size(); ++i) {
+      const uint32_t first = definitions[i].first_diagnostic;
+      const uint32_t end = definitions[i].end_diagnostic;
+      take(all.subspan(next, first - next), block.id, NameId{});
+      take(all.subspan(first, end - first), block.id, block.block->analysed->defined(i));
+      next = end;
+    }
+    take(all.subspan(next), block.id, NameId{});
   }
 
   void silence(const std::string& code, size_t first) {
@@ -88,7 +104,7 @@ class Collector {
                all_.end());
   }
 
-  void take(const std::vector<Diagnostic>& diagnostics, BlockId block, NameId about) {
+  void take(std::span<const Diagnostic> diagnostics, BlockId block, NameId about) {
     for (const Diagnostic& diagnostic : diagnostics) {
       all_.push_back({diagnostic, about});
       put_into_block(all_.back().diagnostic, block);

@@ -9,7 +9,7 @@ namespace {
 
 // Commands between tokens that say nothing about the equation itself.
 constexpr auto kLayoutCommands =
-    std::to_array<std::string_view>({"\\label", "\\tag", "\\nonumber", "\\notag", "\\displaystyle", "\\\\"});
+    std::to_array<std::string_view>({"\\label", "\\tag", "\\nonumber", "\\notag", "\\displaystyle"});
 
 bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v';
@@ -80,7 +80,7 @@ std::string one_line(const ParsedBlock& block, NodeId id) {
   for (uint32_t token = node.first_token; token < node.end_token; ++token) {
     const Span span = block.tokens[token].span;
     line.add_gap(block.slice({end, span.begin}));
-    line.add_token(block.slice(span));
+    line.add_token(is_layout(block.tokens[token].kind) ? " " : block.slice(span));
     end = span.end;
   }
   return line.take();

@@ -102,9 +102,8 @@ class Update {
       PlacedDefinition marked = find_block(state_.segments, key.block).item->block->definitions[key.index_in_block];
       const PlacedDefinition before = marked;
       mark(marked, key, *blocks_.analysed(key.block));
-      if (marked.in_force != before.in_force || marked.is_used != before.is_used) {
-        blocks_.open(key.block).definitions[key.index_in_block] = marked;
-      }
+      const bool is_same = marked.in_force == before.in_force && marked.is_used == before.is_used;
+      if (!is_same) mark_block(blocks_.open(key.block));
       return false;
     });
   }
@@ -139,6 +138,13 @@ class Update {
 
   uint32_t count_demotable(const WorkingBlock& block) const {
     int64_t demotable = 0;
+    const ParsedBlock& parsed = block.analysed->parsed;
+    for (const DefinitionSyntax& definition : parsed.definitions) {
+      const auto reported =
+          std::span(parsed.diagnostics)
+              .subspan(definition.first_diagnostic, definition.end_diagnostic - definition.first_diagnostic);
+      demotable += std::ranges::count_if(reported, is_demotable);
+    }
     for (const PlacedDefinition& definition : block.definitions) {
       demotable += std::ranges::count_if(definition.record->checked.diagnostics, is_demotable);
       if (!definition.in_force) ++demotable;

@@ -59,7 +59,7 @@ class FactorSearch {
   uint32_t token_before(uint32_t token) const {
     while (token > 0) {
       --token;
-      if (block_.tokens[token].kind != TokenKind::Ampersand) break;
+      if (!is_layout(block_.tokens[token].kind)) break;
     }
     return token;
   }

@@ -126,8 +126,9 @@ class LiteralReader {
   const DefinitionSyntax& definition_;
 };
 
-bool is_constant(const ParsedBlock& block) {
-  return std::ranges::any_of(block.comments, [&](Span comment) { return comment_text(block, comment) == "constant"; });
+bool is_constant(const ParsedBlock& block, const DefinitionSyntax& definition) {
+  return std::ranges::any_of(block.comments_of(definition),
+                             [&](Span comment) { return comment_text(block, comment) == "constant"; });
 }
 
 size_t component_count(const ParameterLiteral& literal) {
@@ -143,9 +144,9 @@ std::optional<double> value_outside(const ParameterLiteral& literal, Range range
   return std::nullopt;
 }
 
-std::optional<Range> written_range(const ParsedBlock& block, const ParameterLiteral& literal,
-                                   std::vector<Diagnostic>& diagnostics) {
-  for (Span comment : block.comments) {
+std::optional<Range> written_range(const ParsedBlock& block, const DefinitionSyntax& definition,
+                                   const ParameterLiteral& literal, std::vector<Diagnostic>& diagnostics) {
+  for (Span comment : block.comments_of(definition)) {
     const std::optional<std::string_view> words = range_words(comment_text(block, comment));
     if (!words) continue;
     const Location where{.file = {}, .block = {}, .span = comment};
@@ -168,8 +169,8 @@ std::optional<Range> written_range(const ParsedBlock& block, const ParameterLite
 std::optional<ParameterLiteral> parameter_literal(const ParsedBlock& block, const DefinitionSyntax& definition,
                                                   std::vector<Diagnostic>& diagnostics) {
   std::optional<ParameterLiteral> literal = LiteralReader(block, definition).read();
-  if (!literal || is_constant(block)) return std::nullopt;
-  const std::optional<Range> written = written_range(block, *literal, diagnostics);
+  if (!literal || is_constant(block, definition)) return std::nullopt;
+  const std::optional<Range> written = written_range(block, definition, *literal, diagnostics);
   const Range range = written ? *written : literal->type == Type::Real ? default_range(literal->value[0]) : Range{0, 1};
   literal->minimum = range.minimum;
   literal->maximum = range.maximum;

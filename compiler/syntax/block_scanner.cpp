@@ -19,14 +19,6 @@ constexpr size_t kLongestEnvironmentName = 64;
 constexpr size_t kProseBytes = 4096;
 
 constexpr std::string_view kDirective = "texbrdf:";
-constexpr std::array<std::string_view, 2> kEquations = {"equation", "equation*"};
-constexpr std::array<std::string_view, 4> kRawEnvironments = {"verbatim", "verbatim*", "lstlisting", "comment"};
-
-template <size_t N>
-bool is_one_of(std::string_view name, const std::array<std::string_view, N>& names) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
@@ -85,42 +77,61 @@ class NextCharacter {
   size_t searched_from_ = 0;
 };
 
-/// A `\begin{…}` or `\end{…}` that is no comment and no verbatim text; or a place where prose may be cut.
+/// A `\begin{…}` or `\end{…}` that is no comment and no verbatim text, or the opener of a formula; or a place where
+/// prose may be cut.
 struct Mark {
-  enum class Kind : uint8_t { Begin, End, DocumentEnd, Cut };
+  enum class Kind : uint8_t { Begin, End, Formula, DocumentEnd, Cut };
   Kind kind = Kind::DocumentEnd;
   Span span;
-  std::string_view environment;
+  std::string_view environment = {};
+  MathRegion region = MathRegion::Environment;  ///< of a formula
+  FormulaEnd formula = {};
 };
 
 /// Walks a document from mark to mark.
 class MarkReader {
  public:
-  explicit MarkReader(std::string_view text) : text_(text), backslash_(text, '\\'), percent_(text, '%') {}
+  explicit MarkReader(std::string_view text)
+      : text_(text), backslash_(text, '\\'), percent_(text, '%'), dollar_(text, '$') {}
 
   void seek(size_t at) { at_ = at; }
 
-  static constexpr size_t kNoCut = std::string_view::npos;
-
   /// Stops at the first line that starts behind `cut_from`.
-  Mark next(size_t cut_from = kNoCut) {
+  Mark next_in_prose(size_t cut_from) {
     for (;;) {
       const size_t backslash = backslash_.from(at_);
       const size_t percent = percent_.from(at_);
-      if (const size_t cut = find_cut(cut_from, std::min(backslash, percent)); cut != kNoCut) {
+      const size_t dollar = dollar_.from(at_);
+      const size_t nearest = std::min({backslash, percent, dollar});
+      if (const size_t cut = find_cut(cut_from, nearest); cut != kNoCut) {
         at_ = cut;
-        return {Mark::Kind::Cut, span(cut, cut), {}};
+        return {Mark::Kind::Cut, span(cut, cut)};
       }
-      if (backslash == percent) break;  // both at the end
+      if (nearest == text_.size()) return document_end();
+      std::optional<Mark> mark;
+      if (nearest == percent) {
+        read_comment(percent);
+      } else if (nearest == dollar) {
+        mark = read_formula(dollar, text_.substr(dollar, 2) == "$$" ? MathRegion::DoubleDollars : MathRegion::Dollars);
+      } else {
+        mark = read_command(backslash, Inside::Prose);
+      }
+      if (mark) return *mark;
+    }
+  }
+
+  /// Formulas are no marks there.
+  Mark next_in_environment() {
+    for (;;) {
+      const size_t backslash = backslash_.from(at_);
+      const size_t percent = percent_.from(at_);
+      if (backslash == percent) return document_end();  // both are there
       if (percent < backslash) {
-        note_directive(percent);
-        at_ = line_end(percent);
-      } else if (const std::optional<Mark> mark = read_command(backslash)) {
+        read_comment(percent);
+      } else if (const std::optional<Mark> mark = read_command(backslash, Inside::Environment)) {
         return *mark;
       }
     }
-    at_ = text_.size();
-    return {Mark::Kind::DocumentEnd, span(at_, at_), {}};
   }
 
   /// Comments `% texbrdf:` since they were last taken.
@@ -133,6 +144,9 @@ class MarkReader {
   }
 
  private:
+  enum class Inside : uint8_t { Prose, Environment };
+  static constexpr size_t kNoCut = std::string_view::npos;
+
   static Span span(size_t begin, size_t end) { return {static_cast<uint32_t>(begin), static_cast<uint32_t>(end)}; }
 
   size_t find_cut(size_t cut_from, size_t end) const {
@@ -141,6 +155,16 @@ class MarkReader {
     if (cut_from == kNoCut || from >= end) return kNoCut;
     const size_t line_feed = text_.substr(0, end).find('\n', from);
     return line_feed == std::string_view::npos ? kNoCut : line_feed + 1;
+  }
+
+  Mark document_end() {
+    at_ = text_.size();
+    return {Mark::Kind::DocumentEnd, span(at_, at_)};
+  }
+
+  void read_comment(size_t percent) {
+    note_directive(percent);
+    at_ = line_end(percent);
   }
 
   void note_directive(size_t percent) {
@@ -171,12 +195,25 @@ class MarkReader {
         std::find_if(text_.begin() + static_cast<std::ptrdiff_t>(from), text_.end(), is_line_end) - text_.begin());
   }
 
-  std::optional<Mark> read_command(size_t backslash) {
+  /// Inline mathematics that defines nothing is passed over.
+  std::optional<Mark> read_formula(size_t opener, MathRegion region) {
+    const size_t begin = opener + opener_of(region).size();
+    const FormulaEnd end = find_formula_end(text_, static_cast<uint32_t>(begin), region);
+    at_ = end.end;
+    const bool may_define = end.ended_by == BlockEnd::Closed && end.has_relation;
+    if (is_inline(region) && !may_define) return std::nullopt;
+    return Mark{.kind = Mark::Kind::Formula, .span = span(opener, begin), .region = region, .formula = end};
+  }
+
+  std::optional<Mark> read_command(size_t backslash, Inside inside) {
     at_ = backslash + 1;
     while (at_ < text_.size() && is_letter(text_[at_])) ++at_;
     const std::string_view word = text_.substr(backslash + 1, at_ - backslash - 1);
     if (word.empty()) {
+      const char symbol = at_ < text_.size() ? text_[at_] : ' ';
       at_ = std::min(at_ + 1, text_.size());
+      if (inside == Inside::Prose && symbol == '[') return read_formula(backslash, MathRegion::Brackets);
+      if (inside == Inside::Prose && symbol == '(') return read_formula(backslash, MathRegion::Parentheses);
     } else if (word == "begin") {
       return read_begin(backslash);
     } else if (word == "end") {
@@ -224,10 +261,12 @@ class MarkReader {
   std::optional<Mark> read_begin(size_t backslash) {
     const std::string_view environment = read_environment_name();
     if (environment.empty()) return std::nullopt;
-    if (is_one_of(environment, kRawEnvironments)) {
+    if (is_raw_environment(environment)) {
       skip_raw(environment);
       return std::nullopt;
     }
+    const MathEnvironment* const known = find_math_environment(environment);
+    if (known != nullptr && known->has_argument) read_environment_name();
     return Mark{Mark::Kind::Begin, span(backslash, at_), environment};
   }
 
@@ -238,7 +277,7 @@ class MarkReader {
     return Mark{document ? Mark::Kind::DocumentEnd : Mark::Kind::End, span(backslash, at_), environment};
   }
 
-  /// Reads `{name}`; empty, and nothing is consumed, where there is none.
+  /// Reads `{name}`, or an argument that is as short; empty, and nothing is consumed, where there is none.
   std::string_view read_environment_name() {
     size_t open = at_;
     while (open < text_.size() && is_blank(text_[open])) ++open;
@@ -262,6 +301,7 @@ class MarkReader {
   size_t at_ = 0;
   NextCharacter backslash_;
   NextCharacter percent_;
+  NextCharacter dollar_;
   std::vector<Span> directives_;
   std::vector<IncludeCommand> includes_;
   bool has_run_ = false;
@@ -295,12 +335,12 @@ struct Terminator {
 /// The mark that ends the block: the first `\end` that belongs to no environment inside it, or what forbids one.
 Terminator find_terminator(MarkReader& reader, std::string_view environment) {
   for (uint32_t open_inside = 0;;) {
-    const Mark mark = reader.next();
+    const Mark mark = reader.next_in_environment();
     switch (mark.kind) {
       case Mark::Kind::DocumentEnd:
         return {BlockEnd::DocumentEnd, mark};
       case Mark::Kind::Begin:
-        if (is_one_of(mark.environment, kEquations)) return {BlockEnd::NextBegin, mark};
+        if (is_display_environment(mark.environment)) return {BlockEnd::NextBegin, mark};
         ++open_inside;
         break;
       case Mark::Kind::End:
@@ -308,6 +348,7 @@ Terminator find_terminator(MarkReader& reader, std::string_view environment) {
         if (open_inside == 0) return {BlockEnd::WrongEnd, mark};
         --open_inside;
         break;
+      case Mark::Kind::Formula:
       case Mark::Kind::Cut:
         break;
     }
@@ -316,7 +357,16 @@ Terminator find_terminator(MarkReader& reader, std::string_view environment) {
 
 constexpr uint32_t kEndTokenSize = 4;  // `\end`
 
-DocumentPart scan_block(MarkReader& reader, std::string_view document, uint32_t origin, const Mark& begin) {
+DocumentPart block_part(uint32_t origin, const BlockExtent& extent, uint32_t decided_at) {
+  return {.begin = origin,
+          .size = extent.whole.size(),
+          .reach = std::max(decided_at - origin, extent.whole.size()),
+          .block = extent,
+          .directives = {},
+          .includes = {}};
+}
+
+DocumentPart scan_environment(MarkReader& reader, std::string_view document, uint32_t origin, const Mark& begin) {
   Terminator terminator = find_terminator(reader, begin.environment);
   uint32_t content_end = terminator.mark.span.begin;
   if (terminator.kind != BlockEnd::Closed) {
@@ -337,12 +387,19 @@ DocumentPart scan_block(MarkReader& reader, std::string_view document, uint32_t 
                               .content = content,
                               .end = {content.end, content.end + (has_end ? kEndTokenSize : 0)},
                               .ended_by = terminator.kind};
-  return {.begin = origin,
-          .size = whole_end - origin,
-          .reach = terminator.mark.span.end - origin,
-          .block = extent,
-          .directives = {},
-          .includes = {}};
+  return block_part(origin, extent, terminator.mark.span.end);
+}
+
+DocumentPart formula_part(uint32_t origin, const Mark& mark) {
+  const FormulaEnd& end = mark.formula;
+  const Span content = {mark.span.end - origin, end.content_end - origin};
+  const BlockExtent extent = {.whole = {origin, end.end},
+                              .begin = {mark.span.begin - origin, content.begin},
+                              .content = content,
+                              .end = {content.end, end.end - origin},
+                              .ended_by = end.ended_by,
+                              .region = mark.region};
+  return block_part(origin, extent, end.decided_at);
 }
 
 }  // namespace
@@ -357,24 +414,36 @@ struct BlockScanner::Impl {
   std::optional<DocumentPart> read() {
     if (at == text.size()) return std::nullopt;
     const Mark mark = found ? *std::exchange(found, std::nullopt) : next_mark();
-    const bool is_block = mark.kind == Mark::Kind::Begin;
+    const bool is_block = mark.kind == Mark::Kind::Begin || mark.kind == Mark::Kind::Formula;
     const uint32_t begin = is_block ? reader.with_directives(mark) : mark.span.begin;
     if (begin > at) {
       if (mark.kind != Mark::Kind::Cut) found = mark;
-      return prose(begin, mark.span.end);
+      return prose(begin, mark);
     }
-    return is_block ? scan_block(reader, text, at, mark) : epilogue(mark);
+    if (mark.kind == Mark::Kind::Formula) return formula_part(at, mark);
+    return is_block ? scan_environment(reader, text, at, mark) : epilogue(mark);
   }
 
   Mark next_mark() {
     for (;;) {
-      const Mark mark = reader.next(at + kProseBytes);
-      const bool is_block = mark.kind == Mark::Kind::Begin && is_one_of(mark.environment, kEquations);
-      if (is_block || mark.kind == Mark::Kind::DocumentEnd || mark.kind == Mark::Kind::Cut) return mark;
+      const Mark mark = reader.next_in_prose(at + kProseBytes);
+      switch (mark.kind) {
+        case Mark::Kind::Begin:
+          if (is_display_environment(mark.environment)) return mark;
+          break;
+        case Mark::Kind::End:
+          break;
+        case Mark::Kind::Formula:
+        case Mark::Kind::DocumentEnd:
+        case Mark::Kind::Cut:
+          return mark;
+      }
     }
   }
 
-  DocumentPart prose(uint32_t end, uint32_t decided_at) {
+  DocumentPart prose(uint32_t end, const Mark& behind) {
+    // What stands inline is a block or prose by all that it holds.
+    const uint32_t decided_at = is_inline(behind.region) ? behind.formula.decided_at : behind.span.end;
     DocumentPart part{
         .begin = at, .size = end - at, .reach = decided_at - at, .block = {}, .directives = {}, .includes = {}};
     for (Span directive : reader.take_directives()) {

@@ -7,17 +7,9 @@
 #include <vector>
 
 #include "source/span.h"
+#include "syntax/formula_end.h"
 
 namespace texbrdf {
-
-/// How a math block ended.
-enum class BlockEnd : uint8_t {
-  Closed,     ///< by the \end of its own environment
-  WrongEnd,   ///< by an \end of another environment
-  NextBegin,  ///< by the next \begin of an equation
-  BlankLine,
-  DocumentEnd,  ///< \end{document} or the end of the file
-};
 
 /// One math block, in bytes of the document. [whole.begin, whole.end) is what the block owns: all its other spans are
 /// relative to whole.begin.
@@ -25,10 +17,12 @@ struct BlockExtent {
   /// Absolute; from the backslash of \begin (or the first comment `% texbrdf:` right above) to behind \end{…}, or to
   /// where the block was broken off.
   Span whole;
-  Span begin;    ///< relative: the \begin{equation}
-  Span content;  ///< relative: between \begin{…} and \end
-  Span end;      ///< relative: the `\end` token itself (4 bytes) where one closes the block, else empty at content.end
+  Span begin;    ///< relative: the \begin{equation}, \[, $$ …
+  Span content;  ///< relative: between that and what closes it
+  Span end;      ///< relative: `\end` (4 bytes), `\]`, `$$` … where it closes the block, else empty at content.end
   BlockEnd ended_by = BlockEnd::Closed;
+  MathRegion region = MathRegion::Environment;
+  friend bool operator==(const BlockExtent&, const BlockExtent&) = default;
 };
 
 /// A command of prose that reads another file: `\input{path}`, `\import{folder/}{path}`.
@@ -62,7 +56,8 @@ struct DocumentPart {
   bool is_epilogue = false;
 };
 
-/// Walks a document from part to part (language.md, section 1). Never fails; linear in the text.
+/// Walks a document from part to part. Inline mathematics that holds no `=` is prose, and so is what is not closed.
+/// Never fails; linear in the text.
 class BlockScanner {
  public:
   /// `text` begins with a part. Where `is_whole` is false, more follows behind it that is not shown.

@@ -10,16 +10,17 @@ constexpr uint32_t kNone = UINT32_MAX;
 
 /// One comparison for the kinds that follow each other in token_kind.def.
 constexpr bool is_bracket(TokenKind kind) {
-  return kind >= TokenKind::OpenParen && kind <= TokenKind::CloseBracket;
+  return kind >= TokenKind::OpenParen && kind <= TokenKind::CloseSet;
 }
-static_assert(static_cast<int>(TokenKind::CloseBracket) - static_cast<int>(TokenKind::OpenParen) == 5);
+static_assert(static_cast<int>(TokenKind::CloseSet) - static_cast<int>(TokenKind::OpenParen) == 7);
 
 /// Pairs each closer with the nearest open bracket of its kind; what was opened in between stays open there.
 class Pairing {
  public:
-  explicit Pairing(std::span<const Token> tokens) : tokens_(tokens) {
-    faults_.partners.assign(tokens.size(), kNone);
-    for (uint32_t i = 0; i < tokens.size(); ++i) {
+  Pairing(std::span<const Token> tokens, uint32_t first, uint32_t end) : tokens_(tokens) {
+    faults_.first = first;
+    faults_.partners.assign(end - first, kNone);
+    for (uint32_t i = first; i < end; ++i) {
       const TokenKind kind = tokens[i].kind;
       if (is_opener(kind)) {
         open_.push_back(i);
@@ -28,7 +29,7 @@ class Pairing {
         close(i);
       }
     }
-    leave_open_above(0, static_cast<uint32_t>(tokens.size()) - 1);
+    leave_open_above(0, end);
   }
 
   BracketFaults result() {
@@ -52,7 +53,7 @@ class Pairing {
     size_t opener = open_.size() - 1;
     while (closer_of(tokens_[open_[opener]].kind) != kind) --opener;
     leave_open_above(opener + 1, closer);
-    faults_.partners[open_[opener]] = closer;
+    faults_.partners[open_[opener] - faults_.first] = closer;
     open_.pop_back();
     --open_of_kind(kind);
   }
@@ -92,15 +93,17 @@ TokenKind closer_of(TokenKind opener) {
   if (opener == TokenKind::OpenParen) return TokenKind::CloseParen;
   if (opener == TokenKind::OpenBrace) return TokenKind::CloseBrace;
   if (opener == TokenKind::OpenBracket) return TokenKind::CloseBracket;
+  if (opener == TokenKind::OpenSet) return TokenKind::CloseSet;
   return TokenKind::Unknown;
 }
 
 bool is_opener(TokenKind kind) {
-  return kind == TokenKind::OpenParen || kind == TokenKind::OpenBrace || kind == TokenKind::OpenBracket;
+  return closer_of(kind) != TokenKind::Unknown;
 }
 
 bool is_closer(TokenKind kind) {
-  return kind == TokenKind::CloseParen || kind == TokenKind::CloseBrace || kind == TokenKind::CloseBracket;
+  return kind == TokenKind::CloseParen || kind == TokenKind::CloseBrace || kind == TokenKind::CloseBracket ||
+         kind == TokenKind::CloseSet;
 }
 
 bool brackets_balance(std::span<const Token> tokens) {
@@ -120,8 +123,8 @@ bool brackets_balance(std::span<const Token> tokens) {
   return depth == 0;
 }
 
-BracketFaults find_bracket_faults(std::span<const Token> tokens) {
-  return Pairing(tokens).result();
+BracketFaults find_bracket_faults(std::span<const Token> tokens, uint32_t first, uint32_t end) {
+  return Pairing(tokens, first, end).result();
 }
 
 }  // namespace texbrdf

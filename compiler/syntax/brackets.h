@@ -28,9 +28,15 @@ struct BracketFaults {
   std::vector<UnclosedBracket> unclosed;  ///< the outermost ones only, in order
   std::vector<uint32_t> stray_closers;    ///< in order, to be reported
   std::vector<uint32_t> ignored_closers;  ///< all closers without partner; some belong to an unclosed bracket
-  std::vector<uint32_t> partners;         ///< by token: the closer of an opener, UINT32_MAX where there is none
+
+  uint32_t first = 0;              ///< token of the stretch that was searched
+  std::vector<uint32_t> partners;  ///< by token from `first` on
+
+  /// The closer of an opener, UINT32_MAX where there is none.
+  uint32_t partner_of(uint32_t opener) const { return partners[opener - first]; }
 };
 
-BracketFaults find_bracket_faults(std::span<const Token> tokens);
+/// Of the tokens [first, end); one stands behind them.
+BracketFaults find_bracket_faults(std::span<const Token> tokens, uint32_t first, uint32_t end);
 
 }  // namespace texbrdf

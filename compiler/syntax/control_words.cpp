@@ -12,14 +12,16 @@ constexpr ControlWord kWords[] = {
   ControlWord{spelling, WordMeaning::Command, TokenKind::category, Command::name},
 #include "syntax/commands.def"
 #undef COMMAND
-#define CONTROL_WORD(spelling, meaning) ControlWord{spelling, WordMeaning::meaning, TokenKind::Vec, Command::None},
+#define CONTROL_WORD(spelling, meaning) ControlWord{spelling, WordMeaning::meaning, TokenKind::Unknown, Command::None},
+#define CONTROL_TOKEN(spelling, kind) ControlWord{spelling, WordMeaning::Token, TokenKind::kind, Command::None},
 #include "syntax/control_words.def"
+#undef CONTROL_TOKEN
 #undef CONTROL_WORD
 };
 
 constexpr ControlWord kName;
 
-constexpr size_t kSlots = 128;
+constexpr size_t kSlots = 512;
 constexpr uint8_t kEmpty = 255;
 static_assert(std::size(kWords) * 2 < kSlots);
 

@@ -13,9 +13,11 @@ enum class WordMeaning : uint8_t {
   Nothing,           ///< no token
   NothingWithGroup,  ///< no token, nor the brace group behind it
   Text,              ///< with the brace group behind it one token
-  Vec,
-  Environment,  ///< \begin
-  Verbatim,     ///< \verb
+  Token,             ///< one token of the entry's kind
+  Delimiter,         ///< \left: no token, nor the `.` behind it
+  Environment,       ///< \begin
+  EnvironmentEnd,    ///< \end
+  Verbatim,          ///< \verb
 };
 
 struct ControlWord {

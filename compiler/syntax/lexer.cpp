@@ -6,6 +6,7 @@
 
 #include "source/utf8.h"
 #include "syntax/control_words.h"
+#include "syntax/math_regions.h"
 #include "syntax/verbatim.h"
 
 namespace texbrdf {
@@ -32,6 +33,9 @@ struct CharacterTable {
     symbol('_', TokenKind::Underscore);
     symbol('=', TokenKind::Equals);
     symbol(',', TokenKind::Comma);
+    symbol(';', TokenKind::Comma);
+    symbol('<', TokenKind::Relation);
+    symbol('>', TokenKind::Relation);
     symbol('(', TokenKind::OpenParen);
     symbol(')', TokenKind::CloseParen);
     symbol('{', TokenKind::OpenBrace);
@@ -57,7 +61,7 @@ CharacterClass class_of(char c) {
 }
 
 bool is_spacing_symbol(char c) {
-  return c == ',' || c == ';' || c == ':' || c == '!' || c == '\\' || class_of(c) == CharacterClass::Space;
+  return c == ',' || c == ';' || c == ':' || c == '!' || c == '/' || class_of(c) == CharacterClass::Space;
 }
 
 /// Tokens on the stack while they are few, as nearly always.
@@ -92,9 +96,10 @@ class TokenBuffer {
 
 class Lexer {
  public:
-  Lexer(std::string_view text, Span content, std::pmr::memory_resource* memory)
+  Lexer(std::string_view text, Span content, bool has_columns, std::pmr::memory_resource* memory)
       : text_(text.substr(0, content.end)),
         at_(content.begin),
+        columns_(has_columns ? 1 : 0),
         memory_(memory),
         buffer_(content.size() + size_t{1}),
         comments_(memory) {}
@@ -132,7 +137,7 @@ class Lexer {
         return digit_follows(at_ + 1) ? lex_number() : lex_unknown();
       case CharacterClass::Symbol:
         ++at_;
-        return push(kCharacters.symbols[static_cast<unsigned char>(text_[begin])], begin, at_);
+        return push(symbol_kind(text_[begin]), begin, at_);
       case CharacterClass::Backslash:
         return lex_command();
       case CharacterClass::Percent:
@@ -142,6 +147,11 @@ class Lexer {
       case CharacterClass::Other:
         return lex_unknown();
     }
+  }
+
+  TokenKind symbol_kind(char symbol) const {
+    const TokenKind kind = kCharacters.symbols[static_cast<unsigned char>(symbol)];
+    return kind == TokenKind::Ampersand && columns_ > 0 ? TokenKind::Gap : kind;
   }
 
   bool digit_follows(uint32_t at) const { return at < text_.size() && class_of(text_[at]) == CharacterClass::Digit; }
@@ -167,6 +177,10 @@ class Lexer {
 
   void lex_unknown() {
     const uint32_t begin = at_;
+    if (text_.substr(at_).starts_with(":=")) {
+      at_ += 2;
+      return push(TokenKind::Equals, begin, at_);
+    }
     at_ += code_point_at_front(text_.substr(at_)).size;
     push(TokenKind::Unknown, begin, at_);
   }
@@ -183,32 +197,47 @@ class Lexer {
     switch (word.meaning) {
       case WordMeaning::Name:
       case WordMeaning::Command:
-      case WordMeaning::Vec:
+      case WordMeaning::Token:
         return push(word.kind, begin, at_, word.command);
       case WordMeaning::Nothing:
         return;
       case WordMeaning::NothingWithGroup:
         return skip_meaningless_group();
+      case WordMeaning::Delimiter:
+        return skip_null_delimiter();
       case WordMeaning::Text:
         return lex_text(begin);
       case WordMeaning::Environment:
         return lex_environment(begin);
+      case WordMeaning::EnvironmentEnd:
+        return lex_environment_end(begin);
       case WordMeaning::Verbatim:
         at_ = static_cast<uint32_t>(end_of_verb(text_, at_));
         return push(TokenKind::Unknown, begin, at_);
     }
   }
 
-  /// A backslash and what is no letter: spacing, or outside the language.
+  /// A backslash and what is no letter.
   void lex_control_symbol(uint32_t begin) {
     if (done()) return push(TokenKind::Unknown, begin, at_);
-    if (!is_spacing_symbol(current())) {
-      at_ += code_point_at_front(text_.substr(at_)).size;
-      return push(TokenKind::Unknown, begin, at_);
+    const char symbol = current();
+    at_ += code_point_at_front(text_.substr(at_)).size;
+    if (is_spacing_symbol(symbol)) return;
+    if (symbol == '\\') {
+      if (at('*')) ++at_;
+      if (at('[')) skip_line_distance();
+      return push(TokenKind::NewRow, begin, at_);
     }
-    const bool new_line = current() == '\\';
-    ++at_;
-    if (new_line && at('[')) skip_line_distance();
+    if (symbol == '{') return push(TokenKind::OpenSet, begin, at_);
+    if (symbol == '}') return push(TokenKind::CloseSet, begin, at_);
+    push(TokenKind::Unknown, begin, at_);
+  }
+
+  /// `\left.`
+  void skip_null_delimiter() {
+    uint32_t dot = at_;
+    while (dot < text_.size() && class_of(text_[dot]) == CharacterClass::Space) ++dot;
+    if (dot < text_.size() && text_[dot] == '.') at_ = dot + 1;
   }
 
   /// `\\[2pt]`
@@ -272,14 +301,39 @@ class Lexer {
     return meaning == WordMeaning::Environment || meaning == WordMeaning::Verbatim;
   }
 
-  /// `\begin{name}` … `\end{name}` as one token; a comment environment is none.
+  /// One that the language does not know is one token with all that it holds; a comment environment is none.
   void lex_environment(uint32_t begin) {
     const std::optional<uint32_t> name_end = end_of_group();
     if (!name_end) return push(TokenKind::Unknown, begin, at_);
-    const uint32_t open = static_cast<uint32_t>(text_.find('{', at_));
-    const std::string_view group = text_.substr(open, *name_end - open);
-    at_ = end_of_environment(group, *name_end).value_or(*name_end);
+    const std::string_view group = group_up_to(*name_end);
+    if (const MathEnvironment* environment = find_math_environment(name_in(group))) {
+      at_ = *name_end;
+      if (environment->has_columns) ++columns_;
+      return skip_environment_argument(*environment);
+    }
+    const uint32_t unclosed_end = is_raw_environment(name_in(group)) ? static_cast<uint32_t>(text_.size()) : *name_end;
+    at_ = end_of_environment(group, *name_end).value_or(unclosed_end);
     if (group != "{comment}") push(TokenKind::Unknown, begin, at_);
+  }
+
+  void lex_environment_end(uint32_t begin) {
+    const std::optional<uint32_t> name_end = end_of_group();
+    const MathEnvironment* environment = name_end ? find_math_environment(name_in(group_up_to(*name_end))) : nullptr;
+    if (environment == nullptr) return push(TokenKind::Macro, begin, at_);
+    at_ = *name_end;
+    if (environment->has_columns && columns_ > 0) --columns_;
+  }
+
+  std::string_view group_up_to(uint32_t end) const {
+    const size_t open = text_.find('{', at_);
+    return text_.substr(open, end - open);
+  }
+  static std::string_view name_in(std::string_view group) { return group.substr(1, group.size() - 2); }
+
+  /// `{2}` of alignedat, `[t]` of aligned.
+  void skip_environment_argument(const MathEnvironment& environment) {
+    if (at('[')) skip_line_distance();
+    if (environment.has_argument) at_ = end_of_group().value_or(at_);
   }
 
   std::optional<uint32_t> end_of_environment(std::string_view group, uint32_t from) {
@@ -296,6 +350,7 @@ class Lexer {
 
   std::string_view text_;
   uint32_t at_;
+  uint32_t columns_;  // open environments in which `&` separates columns
   std::pmr::memory_resource* memory_;
   TokenBuffer buffer_;
   std::pmr::vector<Span> comments_;
@@ -306,8 +361,8 @@ class Lexer {
 
 }  // namespace
 
-LexedContent lex(std::string_view text, Span content, Span end, std::pmr::memory_resource* memory) {
-  return Lexer(text, content, memory).run(end);
+LexedContent lex(std::string_view text, Span content, bool has_columns, Span end, std::pmr::memory_resource* memory) {
+  return Lexer(text, content, has_columns, memory).run(end);
 }
 
 }  // namespace texbrdf

@@ -16,9 +16,9 @@ struct LexedContent {
 };
 
 /// Splits `content`, a part of `text`, into tokens. Never fails: what is outside the language becomes Unknown tokens of
-/// one code point, `\begin{…}` with its environment and `\verb|…|` one Unknown token each, `\text` without its group an
-/// Unknown token.
-LexedContent lex(std::string_view text, Span content, Span end,
+/// one code point, an environment that is no math_regions.def's and `\verb|…|` one Unknown token each, `\text` without
+/// its group an Unknown token. `has_columns`: `&` separates columns.
+LexedContent lex(std::string_view text, Span content, bool has_columns, Span end,
                  std::pmr::memory_resource* memory = std::pmr::get_default_resource());
 
 }  // namespace texbrdf

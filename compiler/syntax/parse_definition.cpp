@@ -1,42 +1,76 @@
+#include <algorithm>
+#include <tuple>
+
 #include "syntax/parser.h"
 
 namespace texbrdf {
 
-void Parser::parse_definition() {
+void Parser::parse_statement(const Statement& statement, Span stretch) {
+  position_ = statement.begin;
+  end_ = statement.end;
+  silent_ = block_is_silent_;
+  recovering_ = false;
+  had_error_ = false;
+  first_node_ = block_.tree.size();
+  const size_t definitions = block_.definitions.size();
+  const auto first = static_cast<uint32_t>(block_.diagnostics.size());
+
+  report_brackets();
+  skip_ignored();
+  parse_definition(statement);
+  keep_what_defines(definitions, first);
+  std::ranges::sort(block_.diagnostics.begin() + first, block_.diagnostics.end(), {},
+                    [](const Diagnostic& diagnostic) { return std::tie(diagnostic.where.span, diagnostic.code); });
+  if (block_.definitions.size() == definitions) return;
+  DefinitionSyntax& definition = block_.definitions.back();
+  definition.stretch = stretch;
+  definition.first_diagnostic = first;
+  definition.end_diagnostic = static_cast<uint32_t>(block_.diagnostics.size());
+}
+
+/// Inline mathematics that cannot be read is prose.
+void Parser::keep_what_defines(size_t definitions, size_t diagnostics) {
+  if (!is_inline(block_.extent.region)) return;
+  if (had_error_) block_.definitions.resize(definitions);
+  if (block_.definitions.size() == definitions) block_.diagnostics.resize(diagnostics);
+}
+
+void Parser::parse_definition(const Statement& statement) {
   if (at(TokenKind::End)) {
     report_expected(Code::NoExpression);
     return;
   }
-  const Part left = parse_left_side();
+  const Part left = parse_left_side(statement);
   if (!at(TokenKind::Equals)) return;
   const uint32_t equals = advance();
   recovering_ = false;
+  end_ = statement.chain;
   const Part right = parse_right_side();
-  if (defines_something(left)) finish(left, equals, right);
+  if (defines_something(left)) {
+    finish(left, equals, right);
+  } else if (!left.damaged) {
+    report_no_definition(left, right);
+  }
 }
 
-/// Ends at the `=`, or at the block's end where there is none.
-Parser::Part Parser::parse_left_side() {
-  const uint32_t first = position_;
+/// Ends at the `=`, or at the statement's end where there is none.
+Parser::Part Parser::parse_left_side(const Statement& statement) {
   Part left = parse_expression(0);
   if (at(TokenKind::End)) {
     if (!left.damaged) report_expected(Code::MissingEquals);
     return left;
   }
-  uint32_t equals = position_;
-  while (equals < end_ && tokens_[equals].kind != TokenKind::Equals) ++equals;
+  const uint32_t equals = statement.relation;
   if (equals == end_) {
     report_expected(Code::UnexpectedToken);
     skip_to_end();
     return left;
   }
-  const bool complete = equals == position_;
-  position_ = equals;
-  if (!left.damaged && (!complete || !defines_something(left))) {
-    const Span whole = join(tokens_[first].span, tokens_[equals - 1].span);
-    report(Code::NoDefinition, first, whole, {});
+  if (position_ != equals && !left.damaged) {
+    report(Code::NoDefinition, statement.begin, join(tokens_[statement.begin].span, tokens_[equals - 1].span), {});
     left.damaged = true;
   }
+  position_ = equals;
   return left;
 }
 
@@ -62,6 +96,13 @@ Parser::Part Parser::parse_right_side() {
   return make(NodeKind::Error, unexpected, first, {right});
 }
 
+/// An equation of a paper that defines nothing is no error, unless its sides are swapped.
+void Parser::report_no_definition(const Part& left, const Part& right) {
+  const bool is_swapped = block_.tree.node(right.node).kind == NodeKind::Name;
+  Diagnostic* const diagnostic = report(Code::NoDefinition, first_token(left), block_.span(left.node), {});
+  if (diagnostic != nullptr && !is_swapped) diagnostic->severity = Severity::Hint;
+}
+
 void Parser::finish(const Part& left, uint32_t equals, Part right) {
   // A closer that closes nothing leaves no trace in the tree but the value is not to be trusted.
   if (had_error_ && !right.damaged) right = make(NodeKind::Error, first_token(right), first_token(right), {right});
@@ -79,7 +120,8 @@ void Parser::finish(const Part& left, uint32_t equals, Part right) {
                                 .left = left.node,
                                 .name = name,
                                 .body = right.node,
-                                .first_node = 0,
+                                .first_node = first_node_,
+                                .stretch = {},
                                 .readable = !had_error_});
 }
 

@@ -30,7 +30,12 @@ bool is_subscript_token(TokenKind kind) {
     case TokenKind::CloseBrace:
     case TokenKind::OpenBracket:
     case TokenKind::CloseBracket:
+    case TokenKind::OpenSet:
+    case TokenKind::CloseSet:
+    case TokenKind::Relation:
     case TokenKind::Ampersand:
+    case TokenKind::Gap:
+    case TokenKind::NewRow:
     case TokenKind::Unknown:
     case TokenKind::End:
       return false;
@@ -48,7 +53,7 @@ Parser::Part Parser::parse_name_leaf() {
   const uint32_t first = position_;
   const bool readable = parse_name();
   uint32_t end = position_;
-  while (end > first + 1 && tokens_[end - 1].kind == TokenKind::Ampersand) --end;
+  while (end > first + 1 && is_layout(tokens_[end - 1].kind)) --end;
   return leaf(readable ? NodeKind::Name : NodeKind::Error, first, std::max(end, first + 1));
 }
 
@@ -165,7 +170,7 @@ bool Parser::vector_literal_begins() const {
   uint32_t token = position_;
   for (int steps = 0; steps < 2; ++steps) {
     do ++token;
-    while (tokens_[token].kind == TokenKind::Ampersand);
+    while (is_layout(tokens_[token].kind));
   }
   const TokenKind first = tokens_[token].kind;
   return first == TokenKind::Number || first == TokenKind::Plus || first == TokenKind::Minus ||

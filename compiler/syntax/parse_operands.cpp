@@ -32,7 +32,7 @@ bool Parser::close(uint32_t opener) {
   }
   report_expected(Code::UnexpectedToken);
   if (brackets_are_broken_) {
-    const uint32_t partner = faults_.partners[opener];
+    const uint32_t partner = faults_.partner_of(opener);
     if (partner == UINT32_MAX || partner < position_) return false;
     continue_after(partner);
     return false;
@@ -98,7 +98,7 @@ Parser::Part Parser::parse_function_operand(bool behind_sign, FunctionOperand& r
 }
 
 Parser::Part Parser::parse_first_factor(bool behind_sign, FunctionOperand& read) {
-  const bool in_brackets = at(TokenKind::OpenParen) || at(TokenKind::OpenBrace);
+  const bool in_brackets = is_opener(kind());
   Part operand = parse_primary();
   if (in_brackets && !behind_sign) return operand;
   if (at(TokenKind::Caret)) {
@@ -122,13 +122,14 @@ Parser::Part Parser::parse_first_factor(bool behind_sign, FunctionOperand& read)
 /// A name straight behind, as in `\cos n\phi`; a space command between them ends the operand.
 bool Parser::continues_function_operand() const {
   if (!at(TokenKind::Word) && !at(TokenKind::Macro) && !at(TokenKind::Text) && !at(TokenKind::Vec)) return false;
+  if (is_layout(tokens_[position_ - 1].kind)) return false;
   const Span gap = {tokens_[position_ - 1].span.end, tokens_[position_].span.begin};
   return block_.slice(gap).find('\\') == std::string_view::npos;
 }
 
 Parser::Part Parser::parse_extremum() {
   const uint32_t command = advance();
-  if (!at(TokenKind::OpenParen) && !at(TokenKind::OpenBrace)) {
+  if (!is_opener(kind())) {
     report(Code::MissingGroup, position_, {"(", shown(command, command + 1), describe(position_)});
     return make(NodeKind::Error, command, command, {});
   }

@@ -20,6 +20,9 @@ struct DefinitionSyntax {
   NodeId name;  ///< the Name node that is defined
   NodeId body;  ///< the right side; may be or contain Error nodes
   uint32_t first_node = 0;
+  Span stretch;                   ///< of the block, up to the next statement: comments in it speak of this definition
+  uint32_t first_diagnostic = 0;  ///< what was reported of it: [first_diagnostic, end_diagnostic) of the block's
+  uint32_t end_diagnostic = 0;
   /// False where anything in the definition could not be read (it has Error nodes).
   bool readable = true;
 };
@@ -38,7 +41,8 @@ struct ParsedBlock {
   std::pmr::vector<uint32_t> factors;
   SyntaxTree tree;
   std::pmr::vector<DefinitionSyntax> definitions;
-  std::vector<Diagnostic> diagnostics;  ///< their Location::block is not set yet (0); spans are relative
+  std::vector<Diagnostic> diagnostics;  ///< by definition, then what concerns none; their Location::block is not set
+                                        ///< yet (0); spans are relative
 
   std::string_view slice(Span span) const { return std::string_view(text).substr(span.begin, span.size()); }
   std::string_view token_text(uint32_t token) const { return slice(tokens[token].span); }
@@ -47,12 +51,21 @@ struct ParsedBlock {
     const Node& n = tree.node(id);
     return join(tokens[n.first_token].span, tokens[n.end_token - 1].span);
   }
+  std::span<const Span> comments_of(const DefinitionSyntax& definition) const {
+    const auto begin = std::ranges::lower_bound(comments, definition.stretch.begin, {}, &Span::begin);
+    const auto end = std::ranges::lower_bound(comments, definition.stretch.end, {}, &Span::begin);
+    return {begin, end};
+  }
   std::string_view node_text(NodeId id) const { return slice(span(id)); }
   /// The token is a `(` that opens the arguments of the name before it.
   bool opens_arguments(uint32_t token) const {
     return tokens[token].kind == TokenKind::OpenParen && !std::ranges::binary_search(factors, token);
   }
 };
+
+/// `\begin{equation}`, `\[` as it is written, and what belongs to it: `\end{equation}`, `\]`.
+std::string begin_of_block(const ParsedBlock& block);
+std::string end_of_block(const ParsedBlock& block);
 
 /// A longer block is not read: it is one error.
 inline constexpr uint32_t kMaxBlockBytes = uint32_t{1} << 20;

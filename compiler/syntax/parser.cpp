@@ -1,7 +1,7 @@
 #include "syntax/parser.h"
 
 #include <algorithm>
-#include <tuple>
+#include <optional>
 
 #include "syntax/operators.h"
 
@@ -11,28 +11,36 @@ namespace texbrdf {
 constexpr uint32_t kMaxExpressionHeight = kMaxTreeHeight - 1;
 
 Parser::Parser(ParsedBlock& block, bool silent)
-    : block_(block),
-      tokens_(block.tokens.data()),
-      end_(static_cast<uint32_t>(block.tokens.size()) - 1),
-      silent_(silent) {
-  block_.tree.reserve(end_ / 2 + 2);  // most equations have fewer nodes than that
+    : block_(block), tokens_(block.tokens.data()), block_is_silent_(silent) {
+  block_.tree.reserve(static_cast<uint32_t>(block.tokens.size()) / 2 + 2);  // most equations have fewer nodes than that
 }
 
 void Parser::run() {
-  if (!brackets_balance(block_.tokens)) report_brackets();
-  skip_ignored();
-  parse_definition();
-  report_ampersands();
-  std::sort(block_.diagnostics.begin(), block_.diagnostics.end(), [](const Diagnostic& a, const Diagnostic& b) {
-    return std::tie(a.where.span, a.code) < std::tie(b.where.span, b.code);
-  });
+  const bool balance = brackets_balance(block_.tokens);
+  const uint32_t end = static_cast<uint32_t>(block_.tokens.size()) - 1;
+  std::optional<BracketFaults> faults;
+  if (!balance) faults = find_bracket_faults(block_.tokens, 0, end);
+  const std::vector<Statement> statements = split_statements(block_.tokens, block_.text, faults ? &*faults : nullptr);
+  const bool passes_over = statements.size() > 1 || is_inline(block_.extent.region);
+  for (size_t i = 0; i < statements.size(); ++i) {
+    const Statement& statement = statements[i];
+    const bool has_relation = statement.relation < statement.end;
+    const bool defines = has_relation && tokens_[statement.relation].kind == TokenKind::Equals;
+    if (!defines && (has_relation || passes_over)) continue;
+    if (!balance) find_brackets(statement.begin, statement.end);
+    const bool is_last = i + 1 == statements.size();
+    const Span content = block_.extent.content;
+    parse_statement(statement, {i == 0 ? content.begin : tokens_[statement.begin].span.begin,
+                                is_last ? content.end : tokens_[statements[i + 1].begin].span.begin});
+  }
+  if (!is_inline(block_.extent.region)) report_ampersands();
 }
 
 TokenKind Parser::kind_behind(uint32_t token) const {
   do {
     token = std::min(token + 1, end_);
-  } while (tokens_[token].kind == TokenKind::Ampersand);
-  return tokens_[token].kind;
+  } while (is_layout(kind_at(token)));
+  return kind_at(token);
 }
 
 void Parser::continue_after(uint32_t closer) {
@@ -63,7 +71,7 @@ Parser::Part Parser::make(NodeKind kind, uint32_t token, uint32_t first_token, c
     report_too_deep(token);
     return leaf(NodeKind::Error, token, token + 1);
   }
-  while (end_token > first_token + 1 && tokens_[end_token - 1].kind == TokenKind::Ampersand) --end_token;
+  while (end_token > first_token + 1 && is_layout(tokens_[end_token - 1].kind)) --end_token;
   part.node = block_.tree.add(kind, token, first_token, end_token, {nodes, count});
   return part;
 }
@@ -162,6 +170,8 @@ Parser::Part Parser::parse_primary() {
       return parse_root();
     case TokenKind::OpenParen:
     case TokenKind::OpenBrace:
+    case TokenKind::OpenBracket:
+    case TokenKind::OpenSet:
       return parse_group();
     case TokenKind::Unknown:
       return parse_unknown_operand();
@@ -176,9 +186,12 @@ Parser::Part Parser::parse_primary() {
     case TokenKind::Comma:
     case TokenKind::CloseParen:
     case TokenKind::CloseBrace:
-    case TokenKind::OpenBracket:
     case TokenKind::CloseBracket:
+    case TokenKind::CloseSet:
+    case TokenKind::Relation:
     case TokenKind::Ampersand:
+    case TokenKind::Gap:
+    case TokenKind::NewRow:
     case TokenKind::End:
       report_expected(Code::NoExpression);
       return error_here();

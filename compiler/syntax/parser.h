@@ -7,11 +7,15 @@
 
 #include "syntax/brackets.h"
 #include "syntax/parsed_block.h"
+#include "syntax/statements.h"
 
 namespace texbrdf {
 
 /// Parses the tokens of one block into its tree, definitions and diagnostics. It never asks what a name is: operands
 /// side by side become Juxtaposition, a name followed by `(` becomes Apply unless the block says that it is a factor.
+///
+/// What defines nothing is passed over without a word: an inequality anywhere, anything in inline mathematics, and what
+/// has no `=` beside other statements.
 ///
 /// Recovery: after a problem everything is silent until an operator, comma or closer is read where it belongs, so a
 /// damaged region is reported once. What brackets cannot be paired is known before parsing.
@@ -38,7 +42,8 @@ class Parser {
   static constexpr uint32_t kNone = UINT32_MAX;
 
   // Tokens.
-  TokenKind kind() const { return tokens_[position_].kind; }
+  TokenKind kind() const { return kind_at(position_); }
+  TokenKind kind_at(uint32_t token) const { return token >= end_ ? TokenKind::End : tokens_[token].kind; }
   bool at(TokenKind wanted) const { return kind() == wanted; }
   TokenKind kind_behind(uint32_t token) const;
   uint32_t advance() {
@@ -48,7 +53,7 @@ class Parser {
     return token;
   }
   void skip_ignored() {
-    while (at(TokenKind::Ampersand)) ++position_;
+    while (is_layout(kind())) ++position_;
   }
   void skip_to_end() { position_ = end_; }
   void continue_after(uint32_t closer);
@@ -99,11 +104,14 @@ class Parser {
   bool vector_literal_begins() const;
 
   // Definitions (parse_definition.cpp).
-  void parse_definition();
-  Part parse_left_side();
+  void parse_statement(const Statement& statement, Span stretch);
+  void parse_definition(const Statement& statement);
+  Part parse_left_side(const Statement& statement);
   bool defines_something(const Part& left) const;
   Part parse_right_side();
+  void report_no_definition(const Part& left, const Part& right);
   void finish(const Part& left, uint32_t equals, Part right);
+  void keep_what_defines(size_t definitions, size_t diagnostics);
 
   // Problems (parser_problems.cpp).
   Diagnostic* report(Code code, uint32_t token, std::vector<std::string> arguments = {});
@@ -111,6 +119,7 @@ class Parser {
   void report_expected(Code code);
   void report_unknown();
   void report_too_deep(uint32_t token);
+  void find_brackets(uint32_t begin, uint32_t end);
   void report_brackets();
   void report_ampersands();
   void report_missing_operator(uint32_t second);
@@ -128,15 +137,17 @@ class Parser {
 
   ParsedBlock& block_;
   const Token* tokens_;  ///< the block's, or `mended_`
-  uint32_t end_ = 0;     ///< the End token
+  uint32_t end_ = 0;     ///< behind the statement: a separator, or the End token
   uint32_t position_ = 0;
   uint32_t depth_ = 0;
-  bool silent_;
+  const bool block_is_silent_;
+  bool silent_ = false;
   bool recovering_ = false;
   bool had_error_ = false;
   bool brackets_are_broken_ = false;
   std::vector<Part> list_;     ///< elements of the lists that are being read, innermost last
-  std::vector<Token> mended_;  ///< the tokens without closers that close nothing
+  std::vector<Token> mended_;  ///< the tokens without closers that close nothing; empty while there are none such
+  uint32_t first_node_ = 0;    ///< of the statement
   BracketFaults faults_;
 };
 

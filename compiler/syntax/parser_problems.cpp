@@ -37,6 +37,7 @@ std::string hexadecimal(unsigned char byte) {
 
 std::string_view closer_text(TokenKind opener) {
   if (opener == TokenKind::OpenParen) return ")";
+  if (opener == TokenKind::OpenSet) return "\\}";
   return opener == TokenKind::OpenBrace ? "}" : "]";
 }
 
@@ -98,14 +99,19 @@ void Parser::report_too_deep(uint32_t token) {
   skip_to_end();
 }
 
-void Parser::report_brackets() {
-  faults_ = find_bracket_faults(block_.tokens);
-  if (faults_.unclosed.empty() && faults_.ignored_closers.empty()) return;
-  brackets_are_broken_ = true;
-  had_error_ = true;
-  mended_.assign(block_.tokens.begin(), block_.tokens.end());
+/// Closers that close nothing are not seen any more.
+void Parser::find_brackets(uint32_t begin, uint32_t end) {
+  faults_ = find_bracket_faults(block_.tokens, begin, end);
+  if (faults_.ignored_closers.empty()) return;
+  if (mended_.empty()) mended_.assign(block_.tokens.begin(), block_.tokens.end());
   for (const uint32_t closer : faults_.ignored_closers) mended_[closer].kind = TokenKind::Ampersand;
   tokens_ = mended_.data();
+}
+
+void Parser::report_brackets() {
+  brackets_are_broken_ = !faults_.unclosed.empty() || !faults_.ignored_closers.empty();
+  if (!brackets_are_broken_) return;
+  had_error_ = true;
   if (silent_) return;
 
   for (const UnclosedBracket& bracket : faults_.unclosed) {

@@ -83,7 +83,7 @@ class SourcePrinter {
 
   void print_tokens(uint32_t first, uint32_t end) {
     for (uint32_t token = first; token < end; ++token) {
-      if (block_.tokens[token].kind != TokenKind::Ampersand) write(block_.token_text(token));
+      if (!is_layout(block_.tokens[token].kind)) write(block_.token_text(token));
     }
   }
 

@@ -15,6 +15,10 @@ enum class TokenKind : uint8_t {
 };
 
 std::string_view token_kind_name(TokenKind kind);
+/// It may separate definitions, or is misplaced; inside an expression it means nothing.
+constexpr bool is_layout(TokenKind kind) {
+  return kind == TokenKind::Ampersand || kind == TokenKind::Gap || kind == TokenKind::NewRow;
+}
 
 /// The commands that the language knows, from commands.def: \sin, \max, \frac …
 enum class Command : uint8_t {

@@ -13,4 +13,8 @@ size_t end_of_verb(std::string_view text, size_t behind_word) {
   return at_line_end(at) ? at : at + 1;
 }
 
+bool is_raw_environment(std::string_view name) {
+  return name == "verbatim" || name == "verbatim*" || name == "lstlisting" || name == "comment";
+}
+
 }  // namespace texbrdf

@@ -117,7 +117,12 @@ class BracketReader {
       case TokenKind::CloseParen:
       case TokenKind::OpenBrace:
       case TokenKind::OpenBracket:
+      case TokenKind::OpenSet:
+      case TokenKind::CloseSet:
+      case TokenKind::Relation:
       case TokenKind::Ampersand:
+      case TokenKind::Gap:
+      case TokenKind::NewRow:
       case TokenKind::End:
         break;
     }

@@ -25,9 +25,8 @@ class Layout {
 
  private:
   std::string block_with(std::string_view equation) const {
-    const std::string begin(block_.slice(block_.extent.begin));
-    const std::string environment = begin.substr(begin.find('{'));
-    return fmt::format("{0}{1}{2}{3}{1}{4}\\end{5}", begin, newline_, inner_, equation, outer_, environment);
+    return fmt::format("{1}{0}{2}{3}{0}{4}{5}", newline_, begin_of_block(block_), inner_, equation, outer_,
+                       end_of_block(block_));
   }
 
   /// What stands between the line's start and the offset, where that is white space within the block.
@@ -142,7 +141,7 @@ NewDefinition new_definition(std::string_view name, uint32_t offset, std::string
 std::optional<NewDefinition> define_above(const Snapshot& snapshot, const Location& where) {
   const ParsedBlock& block = snapshot.parsed(where.block);
   const auto node = name_at(block, where.span);
-  if (!node) return std::nullopt;
+  if (!node || is_inline(block.extent.region)) return std::nullopt;
   MissingName missing(snapshot, where.block, *node);
   const auto left = missing.left_side();
   if (!left) return std::nullopt;
@@ -152,7 +151,7 @@ std::optional<NewDefinition> define_above(const Snapshot& snapshot, const Locati
 
 std::optional<NewDefinition> define_below(const Snapshot& snapshot, BlockId id, std::string_view name) {
   const ParsedBlock& block = snapshot.parsed(id);
-  if (block.extent.ended_by != BlockEnd::Closed) return std::nullopt;
+  if (block.extent.ended_by != BlockEnd::Closed || is_inline(block.extent.region)) return std::nullopt;
   const uint32_t offset = snapshot.absolute(id, {}).begin + static_cast<uint32_t>(block.text.size());
   return new_definition(name, offset, Layout(block).below(fmt::format("{} = 1", name)));
 }

@@ -27,11 +27,14 @@ class DemandReader {
           if (const auto sum = node_of(NodeKind::Infix, before)) return type_of(parsed_.tree.child(*sum, 0));
           break;  // a sign
         case TokenKind::Ampersand:
+        case TokenKind::Gap:
+        case TokenKind::NewRow:
           break;
         case TokenKind::Comma:
         case TokenKind::OpenParen:
         case TokenKind::OpenBrace:
-        case TokenKind::OpenBracket: {
+        case TokenKind::OpenBracket:
+        case TokenKind::OpenSet: {
           if (brackets_.empty()) return std::nullopt;
           const OpenBracket bracket = brackets_.back();
           brackets_ = brackets_.first(brackets_.size() - 1);
@@ -52,6 +55,8 @@ class DemandReader {
         case TokenKind::CloseParen:
         case TokenKind::CloseBrace:
         case TokenKind::CloseBracket:
+        case TokenKind::CloseSet:
+        case TokenKind::Relation:
         case TokenKind::Unknown:
         case TokenKind::End:
           return std::nullopt;

@@ -28,13 +28,17 @@ class RandomDocument {
     for (int i = 0; i < options_.functions; ++i) add_function();
     for (int i = 0; i < options_.definitions; ++i) add_definition();
     add_root();
-    random_.shuffle(blocks_);
+    random_.shuffle(equations_);
     std::string text = "Prose before the equations, with $a$ formula in it.\n\n";
-    for (const std::string& block : blocks_) text += block + "\n";
+    for (size_t i = 0; i < equations_.size();) i += append_region(text, i);
     return text;
   }
 
  private:
+  struct Equation {
+    std::string left, right, comment;
+  };
+
   struct Function {
     std::string name;
     std::vector<bool> vector_parameters;
@@ -58,10 +62,41 @@ class RandomDocument {
   }
 
   void add_block(const std::string& left, const std::string& right, const std::string& comment = "") {
-    const std::string environment = random_.chance(0.2) ? "equation*" : "equation";
-    std::string block = "\\begin{" + environment + "}";
-    if (!comment.empty()) block += " % " + comment;
-    blocks_.push_back(block + "\n  " + left + " = " + right + "\n\\end{" + environment + "}\n");
+    equations_.push_back({left, right, comment.empty() ? "" : " % " + comment});
+  }
+
+  /// Writes the equation, perhaps with some that follow it, as papers do; gives how many.
+  size_t append_region(std::string& text, size_t first) {
+    const auto whole = [&](const std::string& begin, const std::string& end) {
+      const Equation& e = equations_[first];
+      text += begin + e.comment + "\n  " + e.left + " = " + e.right + "\n" + end + "\n\n";
+      return size_t{1};
+    };
+    switch (random_.below(8)) {
+      case 0:
+        return whole("\\begin{equation*}", "\\end{equation*}");
+      case 1:
+        return whole("\\[", "\\]");
+      case 2:
+        return whole("$$", ".$$");
+      case 3:
+        return whole("Inline, $", "$ is a definition.");
+      case 4:
+        return append_rows(text, first);
+      default:
+        return whole("\\begin{equation}", "\\end{equation}");
+    }
+  }
+
+  size_t append_rows(std::string& text, size_t first) {
+    const size_t count = std::min<size_t>(1 + random_.below(4), equations_.size() - first);
+    text += "\\begin{align}\n";
+    for (size_t i = first; i < first + count; ++i) {
+      const Equation& e = equations_[i];
+      text += "  " + e.left + " &= " + e.right + (random_.chance(0.5) ? " \\\\" : ", \\\\") + e.comment + "\n";
+    }
+    text += "\\end{align}\n\n";
+    return count;
   }
 
   std::string number(double low, double high) {
@@ -293,7 +328,7 @@ class RandomDocument {
   int numbered_names_ = 0;
   Scope document_;
   std::vector<Function> functions_;
-  std::vector<std::string> blocks_;
+  std::vector<Equation> equations_;
 };
 
 inline std::string random_document(uint64_t seed, const RandomDocumentOptions& options = {}) {

@@ -25,7 +25,7 @@ open a.tex
        "version": 1,
        "diagnostics": [
          {"range":"8:3-8:9","severity":4,"code":"E3013","source":"texbrdf","message":"nothing uses `broken`"},
-         {"range":"8:12-8:13","severity":1,"code":"E2003","source":"texbrdf","message":"`(` is never closed"}
+         {"range":"8:12-8:13","severity":4,"code":"E2003","source":"texbrdf","message":"`(` is never closed"}
        ]
      }
    }

@@ -37,7 +37,7 @@ TEST(Catalogue, is_one_page_with_an_anchor_for_each_code) {
 }
 
 TEST(Diagnostic, forms_its_message_from_its_arguments) {
-  const Diagnostic wrong_end = make_diagnostic(Code::WrongEnd, {}, {"equation", "align"});
+  const Diagnostic wrong_end = make_diagnostic(Code::WrongEnd, {}, {"\\begin{equation}", "\\end{align}"});
   EXPECT_EQ(message(wrong_end), "`\\begin{equation}` is closed by `\\end{align}`");
   EXPECT_EQ(code_name(Code::WrongEnd), "E2006");
   EXPECT_EQ(severity_name(make_diagnostic(Code::PowerInFunction, {}).severity), "information");

@@ -77,7 +77,7 @@ TEST(SemanticTokens, ABrokenBlockKeepsItsTokens) {
 }
 
 TEST(SemanticTokens, NothingOutsideMathAndInComments) {
-  EXPECT_EQ(tokens_of("a = 1 $b = 2$ % c = 3\n" + equation("d % e = 4\n = 5") + "\\begin{verbatim}" +
+  EXPECT_EQ(tokens_of("a = 1 $b < 2$ % c = 3\n" + equation("d % e = 4\n = 5") + "\\begin{verbatim}" +
                       equation("g = 6") + "\\end{verbatim}"),
             "d:variable.definition =:operator 5:number");
   EXPECT_EQ(tokens_of("prose"), "");

@@ -101,7 +101,7 @@ TEST_F(ProjectsTest, WhatAFaultLeftBehindIsFormedAnewFromTheTexts) {
   Buffer& main = open("main.tex", kMain);
   Buffer& late = open("late.tex", definition("x = "));
   EXPECT_TRUE(is_right(main));
-  projects_.replace(main, {0, 0}, "\\input{late}" + definition("q = "));
+  projects_.replace(main, {0, 0}, "\\input{late}" + definition("(q = "));
   projects_.replace(late, {20, 20}, "1");
   main.home->document.set_text(FileId{1}, definition("m = "));
   projects_.start_anew();
@@ -109,7 +109,7 @@ TEST_F(ProjectsTest, WhatAFaultLeftBehindIsFormedAnewFromTheTexts) {
   EXPECT_EQ(main.home->paths, (std::vector{path("main.tex"), path("late.tex"), path("part.tex")}));
   EXPECT_EQ(late.home, main.home);
   EXPECT_EQ(projects_.snapshot(late).text().bytes(), definition("x = 1"));
-  projects_.replace(main, {11, 11 + 34}, "");
+  projects_.replace(main, {11, 11 + 35}, "");
   EXPECT_TRUE(is_right(main)) << main.text.bytes();
 }
 

@@ -29,10 +29,14 @@ std::string blocks_text(std::string_view document) {
   std::string text;
   for (const BlockExtent& block : scan_blocks(document)) {
     const std::string_view whole = document.substr(block.whole.begin, block.whole.size());
-    EXPECT_EQ(whole.substr(0, 6), "\\begin");
+    const bool is_environment = block.region == MathRegion::Environment;
+    EXPECT_TRUE(whole.starts_with(is_environment ? "\\begin" : opener_of(block.region))) << whole;
     EXPECT_EQ(block.begin.end, block.content.begin);
     EXPECT_EQ(block.content.end, block.end.begin);
-    EXPECT_EQ(whole.substr(block.end.begin, block.end.size()), block.end.empty() ? "" : "\\end");
+    if (!block.end.empty() && block.ended_by == BlockEnd::Closed) {
+      const std::string_view end = whole.substr(block.end.begin, block.end.size());
+      EXPECT_EQ(end, is_environment ? "\\end" : closer_of(block.region));
+    }
     text += "[";
     text += whole.substr(block.content.begin, block.content.size());
     text += ":";
@@ -70,7 +74,28 @@ constexpr Case kCases[] = {
     {"behind_document", "\\begin{equation}a\\end{equation}\\end{document}\\begin{equation}b\\end{equation}",
      "[a:closed]"},
     {"document_end_in_comment", "% \\end{document}\n\\begin{equation}a\\end{equation}", "[a:closed]"},
-    {"other_environments", "\\begin{align}x\\end{align}\\begin{equation}a\\end{equation}", "[a:closed]"},
+    {"other_environments", "\\begin{table}x\\end{table}\\begin{equation}a\\end{equation}", "[a:closed]"},
+    {"displays", "\\begin{align*}x\\end{align*}\\begin{eqnarray}a\\end{eqnarray}", "[x:closed][a:closed]"},
+    {"inner_environment_alone", "\\begin{split}x\\end{split}", ""},
+    {"double_dollars", "a $$b$$ c", "[b:closed]"},
+    {"double_dollars_without_end", "$$a=1\n\n$$b$$", "[a=1\n:blank-line][b:closed]"},
+    {"double_dollars_closed_by_one", "$$a$ b", "[a:wrong-end]"},
+    {"double_dollars_around_an_environment", "$$\\begin{align}a\\end{align}$$", "[\\begin{align}a\\end{align}:closed]"},
+    {"dollar_in_text", "$$a\\text{ if $b=c$}$$", "[a\\text{ if $b=c$}:closed]"},
+    {"brackets", "\\[a\\] \\[b\\]", "[a:closed][b:closed]"},
+    {"brackets_without_end", "\\[a \\[b\\]", "[a :next-begin][b:closed]"},
+    {"line_distance_is_no_bracket", "a\\\\[2pt] b", ""},
+    {"inline_prose", "$a$, $b \\in [0,1]$, \\(c\\) and $x_{i=1}$", ""},
+    {"inline", "$a = 1$, \\(b = 2\\) and $c\\approx 3$", "[a = 1:closed][b = 2:closed][c\\approx 3:closed]"},
+    {"inline_side_by_side", "$a=1$$b=2$", "[a=1:closed][b=2:closed]"},
+    {"inline_without_end", "costs $5 = a\n\n$b=1$", "[b=1:closed]"},
+    {"inline_before_a_block", "costs $5 = \\begin{equation}a\\end{equation}$b=1$", "[a:closed][b=1:closed]"},
+    {"inline_before_an_item", "costs $5 =\n\\item $b=1$", "[b=1:closed]"},
+    {"escaped_dollar", "\\$5 = \\$6 $b=1$", "[b=1:closed]"},
+    {"dollar_in_comment", "% $a\n$b=1$", "[b=1:closed]"},
+    {"dollar_in_comment_of_a_formula", "$b= % $\n1$", "[b= % $\n1:closed]"},
+    {"equals_in_braces", "$\\sum_{i=0}^n i$", ""},
+    {"formula_in_an_environment", "\\begin{equation}a\\text{ if $b=c$}\\end{equation}", "[a\\text{ if $b=c$}:closed]"},
     {"space_before_brace", "\\begin {equation}a\\end\t{equation}", "[a:closed]"},
     {"longer_command", "\\beginning{equation}a\\end{equation}", ""},
     {"line_break_before_begin", "\\\\begin{equation}a\\end{equation}", ""},
@@ -124,6 +149,12 @@ TEST(BlockScannerSpeed, is_linear_in_documents_made_to_be_slow) {
                                           "\\begin{verbatim}",
                                           "\\end{x}",
                                           "\\begin{x}",
+                                          "$",
+                                          "$$",
+                                          "$a=",
+                                          "\\[",
+                                          "\\(a=",
+                                          "$\\begin{x}",
                                           "\n"};
   for (const std::string_view piece : kPieces) {
     std::string document;

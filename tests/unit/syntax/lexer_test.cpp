@@ -14,7 +14,7 @@ namespace {
 /// `Kind|text` of each token but the last.
 std::string tokens_text(std::string_view text) {
   const auto size = static_cast<uint32_t>(text.size());
-  const LexedContent content = lex(text, {0, size}, {size, size});
+  const LexedContent content = lex(text, {0, size}, false, {size, size});
   EXPECT_EQ(content.tokens.back().kind, TokenKind::End);
   std::string shown;
   for (size_t i = 0; i + 1 < content.tokens.size(); ++i) {
@@ -83,11 +83,11 @@ INSTANTIATE_TEST_SUITE_P(Operators, Lexer, testing::ValuesIn(kOperators));
 
 constexpr Case kNothing[] = {
     {"", ""},
-    {"a\\,\\;\\:\\!\\quad\\qquad~\\ b", "Word|a Word|b"},
+    {"a\\,\\;\\:\\!\\quad\\qquad~\\ b", "Word|a Gap|\\quad Gap|\\qquad Word|b"},
     {"\\left(\\right)", "OpenParen|( CloseParen|)"},
     {"\\label{eq:1}\\nonumber\\notag\\tag{3}\\tag*{a{b}}\\displaystyle 1", "Number|1"},
-    {"a \\\\ b \\\\[2pt] c", "Word|a Word|b Word|c"},
-    {"\\\\[2", "OpenBracket|[ Number|2"},
+    {"a \\\\ b \\\\[2pt] c \\\\* d", "Word|a NewRow|\\\\ Word|b NewRow|\\\\[2pt] Word|c NewRow|\\\\* Word|d"},
+    {"\\\\[2", "NewRow|\\\\ OpenBracket|[ Number|2"},
     {"\\label{a", "OpenBrace|{ Word|a"},
     {"\\label 1", "Number|1"},
     {"a % b\nc", "Word|a Word|c"},
@@ -97,15 +97,28 @@ constexpr Case kNothing[] = {
 };
 INSTANTIATE_TEST_SUITE_P(Nothing, Lexer, testing::ValuesIn(kNothing));
 
+constexpr Case kLayout[] = {
+    {"\\{a\\}", "OpenSet|\\{ Word|a CloseSet|\\}"},
+    {"\\left. a \\right\\}", "Word|a CloseSet|\\}"},
+    {"\\bigl(a\\Bigr)", "OpenParen|( Word|a CloseParen|)"},
+    {"a;b", "Word|a Comma|; Word|b"},
+    {"a:=b", "Word|a Equals|:= Word|b"},
+    {"a\\approx b<c\\le d", "Word|a Equals|\\approx Word|b Relation|< Word|c Relation|\\le Word|d"},
+    {"\\begin{aligned}[t]a&b\\\\c\\end{aligned}&d", "Word|a Gap|& Word|b NewRow|\\\\ Word|c Ampersand|& Word|d"},
+    {"\\begin{alignedat}{2}a\\end{alignedat}", "Word|a"},
+    {"\\begin{gathered}a&b\\end{gathered}", "Word|a Ampersand|& Word|b"},
+};
+INSTANTIATE_TEST_SUITE_P(Layout, Lexer, testing::ValuesIn(kLayout));
+
 constexpr Case kUnknown[] = {
-    {"a;b", "Word|a Unknown|; Word|b"},
+    {"a?b", "Word|a Unknown|? Word|b"},
     {"\\verb|}%\\end{equation}|+1", "Unknown|\\verb|}%\\end{equation}| Plus|+ Number|1"},
     {"\\verb*{p} + 1\n+ 2", "Unknown|\\verb*{p} + 1 Plus|+ Number|2"},
     {"\\verb", "Unknown|\\verb"},
     {"\\verbose", "Macro|\\verbose"},
     {"é", "Unknown|é"},
     {"𝑓", "Unknown|𝑓"},
-    {"\\{", "Unknown|\\{"},
+    {"\\?", "Unknown|\\?"},
     {"\\é", "Unknown|\\é"},
     {"\\", "Unknown|\\"},
     {"\xFF\xE2\x82", "Unknown|\xFF Unknown|\xE2 Unknown|\x82"},
@@ -120,7 +133,7 @@ INSTANTIATE_TEST_SUITE_P(Unknown, Lexer, testing::ValuesIn(kUnknown));
 TEST(LexerComments, are_kept_apart) {
   const std::string_view text = "m = 0.3 % range [0, 1]\r\n+ 1 %";
   const auto size = static_cast<uint32_t>(text.size());
-  const LexedContent content = lex(text, {0, size}, {size, size});
+  const LexedContent content = lex(text, {0, size}, false, {size, size});
   ASSERT_EQ(content.comments.size(), 2u);
   EXPECT_EQ(text.substr(content.comments[0].begin, content.comments[0].size()), "% range [0, 1]");
   EXPECT_EQ(content.comments[1], (Span{size - 1, size}));
@@ -134,7 +147,7 @@ TEST(LexerTokens, follow_each_other_in_any_bytes) {
                                             ".",  "e-",   "\xFF", "ω", "&",          "\\label",  "[", " "};
     for (int i = 0; i < 30; ++i) bytes += kPieces[random.below(std::size(kPieces))];
     const auto size = static_cast<uint32_t>(bytes.size());
-    const LexedContent content = lex(bytes, {0, size}, {size, size});
+    const LexedContent content = lex(bytes, {0, size}, false, {size, size});
     uint32_t at = 0;
     for (const Token& token : content.tokens) {
       EXPECT_GE(token.span.begin, at);

@@ -1,0 +1,109 @@
+// What is read of a display with several equations.
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "diagnostics/diagnostic.h"
+#include "support/parse_equation.h"
+#include "syntax/print_source.h"
+
+namespace texbrdf {
+namespace {
+
+/// The definitions as they are printed, then the codes of what was reported.
+std::string read(std::string_view document) {
+  const ParsedBlock block = test::parse_first_block(document);
+  std::string text;
+  for (const DefinitionSyntax& definition : block.definitions) {
+    text += (text.empty() ? "" : " | ") + (definition.readable ? print_source(block, definition) : "?");
+  }
+  for (const Diagnostic& diagnostic : block.diagnostics) {
+    text += " " + code_name(diagnostic.code) + "/" + std::string(severity_name(diagnostic.severity));
+  }
+  return text;
+}
+
+struct Case {
+  const char* content;
+  const char* read;
+};
+
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.content;
+}
+
+class Align : public testing::TestWithParam<Case> {};
+
+TEST_P(Align, is_split) {
+  EXPECT_EQ(read("\\begin{align}" + std::string(GetParam().content) + "\\end{align}"), GetParam().read);
+}
+
+constexpr Case kRows[] = {
+    {"a &= 1 \\\\ b &= 2", "a=1 | b=2"},
+    {"a &= 1, \\\\[2pt] b &= 2. \\label{eq:b} \\\\", "a=1 | b=2"},
+    {"a &= 1 \\notag \\\\ &\\quad + 2 \\\\ b &= 3", "a=(1+2) | b=3"},
+    {"a &= \\left( 1 \\right. \\\\ &\\left. + 2 \\right) \\\\ b &= 3", "a=(1+2) | b=3"},
+    {"a &= \\left( 1 \\\\ b &= 2", "? | b=2 E2003/error"},
+    {"a &= 1 + \\\\ b &= 2", "? | b=2 E2001/error"},
+    {"a &= 1) \\\\ b &= 2", "? | b=2 E2004/error"},
+    {"a &= \\frac{1}{2 \\\\ b &= \\frac{1}{2}", "? | b=(1/2) E2003/error"},
+    {"a &=& 1 \\\\ && * 2", "a=(1*2)"},
+    {"a &= 1 \\\\ &= 2 \\\\ b &= 3", "a=1 | b=3"},
+    {"a &= 1, & b &= 2 \\\\ c &= 3", "a=1 | b=2 | c=3"},
+    {"f(x) &= 1 \\\\ g(x) &= 2", "f(x)=1 | g(x)=2"},
+};
+INSTANTIATE_TEST_SUITE_P(Rows, Align, testing::ValuesIn(kRows));
+
+constexpr Case kDisplays[] = {
+    {"a = 1, \\quad b = 2", "a=1 | b=2"},
+    {"a = 1; b = 2", "a=1 | b=2"},
+    {"a = 1. b = 2.", "a=1 | b=2"},
+    {"a = 1 \\qquad b = 2", "a=1 | b=2"},
+    {"a = 1 \\quad + 2", "a=(1+2)"},
+    {"a = b \\text{ where } b = 2", "a=b | b=2"},
+    {"a = b \\text{ with } b = 2, c = 3 \\text{ and } d = 4", "a=b | b=2 | c=3 | d=4"},
+    {"a = 1 \\text{ for all } x", "a=1"},
+    {"a = 1, \\quad x > 0", "a=1"},
+    {"a = 1 \\text{ if } x = 0", "a=1 | x=0"},
+    {"a_{\\text{in}} = 1", "a_{\\text{in}}=1"},
+    {"a_\\text{in} = 1", "a_\\text{in}=1"},
+    {"a = b = c", "a=b"},
+    {"a = b = c, d = e", "a=b | d=e"},
+    {"a \\approx 1", "a=1"},
+    {"a := 1", "a=1"},
+    {"0 \\le a \\le 1, b = 2", "b=2"},
+    {"a \\propto b", ""},
+    {"a b", " E2008/error"},
+    {"a = (1, 2", "? E2003/error"},
+    {"\\cos x = 1", " E2007/hint"},
+    {"1 + 2 = f", " E2007/error"},
+    {"a = [1 + \\{2 + 3\\}] 4", "a=((1+(2+3))*4)"},
+    {"a = 1, 2", "? E2002/error"},
+};
+INSTANTIATE_TEST_SUITE_P(Displays, Align, testing::ValuesIn(kDisplays));
+
+TEST(InlineMathematics, defines_or_is_prose) {
+  EXPECT_EQ(read("$a = 0.5$"), "a=0.5");
+  EXPECT_EQ(read("$g(s,u) = s u$"), "g(s,u)=(s*u)");
+  EXPECT_EQ(read("$a = 1$"), "a=1");
+  EXPECT_EQ(read("$a = 1, b = 2$"), "a=1 | b=2");
+  for (const char* prose : {"$a = $", "$a = 1 + $", "$= 1$", "$|a| = 2$", "$i = 1, \\dots, n$", "$a = )$",
+                            "$a_b_c = 1$", "$\\cos x = 1$", "$1 = f$"}) {
+    EXPECT_EQ(read(prose), "") << prose;
+  }
+}
+
+TEST(Displays, without_environments_are_read) {
+  EXPECT_EQ(read("$$a = 1$$"), "a=1");
+  EXPECT_EQ(read("\\[a = 1\\]"), "a=1");
+  EXPECT_EQ(read("$$\\begin{align}a &= 1 \\\\ b &= 2\\end{align}$$"), "a=1 | b=2");
+  EXPECT_EQ(read("\\begin{equation}\\begin{split}a &= 1 \\\\ &+ 2\\end{split}\\end{equation}"), "a=(1+2)");
+  EXPECT_EQ(read("\\begin{alignat}{2}a &= 1 & b &= 2\\end{alignat}"), "a=1 | b=2");
+  EXPECT_EQ(read("\\[a = 1\n\nprose"), "a=1 E2005/error");
+  EXPECT_EQ(read("$$a = 1$ prose"), "a=1 E2006/error");
+  EXPECT_EQ(read("\\begin{gather}a & = 1\\end{gather}"), "a=1 E1003/warning");
+}
+
+}  // namespace
+}  // namespace texbrdf
