@@ -74,7 +74,7 @@ ExpressionId ExpressionWriter::write(ValueId id, std::span<const ExpressionId> w
       const Value& index = graph_.at(graph_.operand(id, 1));
       if (index.op == Op::Constant && index.constant == 1) return operand(id, 0);
       if (index.op == Op::Constant && index.constant == 2) return pool_.call("sqrt", {operand(id, 0)});
-      return helper(Helper::Root, operands(id));
+      return helper(Helper::Root, spread_operands(id), is_triple_value(id));
     }
     case Op::Arccos:
       return inverse_cosine_or_sine(id, "acos", Helper::Arccos);
@@ -98,8 +98,24 @@ std::vector<ExpressionId> ExpressionWriter::operands(ValueId id) const {
   return result;
 }
 
-ExpressionId ExpressionWriter::helper(Helper helper, std::vector<ExpressionId> arguments) {
-  helpers_.insert(helper);
+std::vector<ExpressionId> ExpressionWriter::spread_operands(ValueId id) {
+  std::vector<ExpressionId> result = operands(id);
+  if (!is_triple_value(id)) return result;
+  for (uint32_t i = 0; i < result.size(); ++i) {
+    if (!is_triple_value(graph_.operand(id, i))) result[i] = pool_.call("vec3", {result[i]});
+  }
+  return result;
+}
+
+/// A component of a triple is no greater than its length.
+Range ExpressionWriter::range(ValueId id, uint32_t index) const {
+  const ValueId operand = graph_.operand(id, index);
+  const Range& found = ranges_[operand.value];
+  return is_triple_value(operand) ? Range{-found.most, found.most, found.can_fail} : found;
+}
+
+ExpressionId ExpressionWriter::helper(Helper helper, std::vector<ExpressionId> arguments, bool of_triples) {
+  helpers_.insert({helper, of_triples});
   return pool_.call(helper_name(helper), std::move(arguments));
 }
 
@@ -166,9 +182,12 @@ ExpressionId ExpressionWriter::convention(ValueId id) {
 ExpressionId ExpressionWriter::extremum(ValueId id) {
   bool is_min = graph_.at(id).op == Op::Min;
   if (range(id, 0).can_fail || range(id, 1).can_fail)
-    return helper(is_min ? Helper::Minimum : Helper::Maximum, operands(id));
+    return helper(is_min ? Helper::Minimum : Helper::Maximum, spread_operands(id), is_triple_value(id));
   if (auto clamped = clamp(id)) return *clamped;
-  return pool_.call(is_min ? "min" : "max", operands(id));
+  std::vector<ExpressionId> arguments = operands(id);
+  bool real_first = !is_triple_value(graph_.operand(id, 0)) && is_triple_value(graph_.operand(id, 1));
+  if (real_first) std::swap(arguments[0], arguments[1]);  // GLSL has min(vec3, float) only
+  return pool_.call(is_min ? "min" : "max", std::move(arguments));
 }
 
 /// min(max(x, least), most) with numbers in order is clamp(x, least, most), and so is max(min(…)).
@@ -194,26 +213,28 @@ std::optional<ExpressionId> ExpressionWriter::clamp(ValueId id) {
 
 ExpressionId ExpressionWriter::power(ValueId id) {
   ExpressionId base = operand(id, 0);
+  bool of_triples = is_triple_value(id);
   const Value& exponent = graph_.at(graph_.operand(id, 1));
   if (exponent.op == Op::Constant) {
     double magnitude = std::abs(exponent.constant);
     auto or_reciprocal = [&](ExpressionId power) {
       return exponent.constant < 0 ? infix(Precedence::Multiplicative, "/", number(1), power) : power;
     };
-    if (magnitude == 0) return number(1);
+    if (magnitude == 0) return of_triples ? pool_.call("vec3", {number(1)}) : number(1);
     if (is_whole(magnitude) && magnitude <= kLargestProduct)
-      return or_reciprocal(whole_power(base, static_cast<uint32_t>(magnitude)));
+      return or_reciprocal(whole_power(base, static_cast<uint32_t>(magnitude), of_triples));
     if (magnitude == 0.5) return or_reciprocal(pool_.call("sqrt", {base}));
   }
   bool may_be_whole = exponent.op != Op::Constant || is_whole(exponent.constant);
   bool defined = range(id, 0).least > 0 || (range(id, 0).least >= 0 && range(id, 1).least > 0);
-  if (defined && !may_be_whole) return pool_.call("pow", operands(id));
-  return helper(Helper::Power, operands(id));
+  if (defined && !may_be_whole) return pool_.call("pow", spread_operands(id));
+  return helper(Helper::Power, spread_operands(id), of_triples);
 }
 
-ExpressionId ExpressionWriter::whole_power(ExpressionId base, uint32_t exponent) {
+ExpressionId ExpressionWriter::whole_power(ExpressionId base, uint32_t exponent, bool of_triples) {
   if (exponent == 1) return base;
-  if (exponent > 3 || pool_.at(base).kind != Expression::Kind::Atom) return helper(kProducts[exponent - 2], {base});
+  if (exponent > 3 || pool_.at(base).kind != Expression::Kind::Atom)
+    return helper(kProducts[exponent - 2], {base}, of_triples);
   ExpressionId product = base;
   for (uint32_t i = 1; i < exponent; ++i) product = infix(Precedence::Multiplicative, "*", product, base);
   return product;
@@ -221,7 +242,7 @@ ExpressionId ExpressionWriter::whole_power(ExpressionId base, uint32_t exponent)
 
 ExpressionId ExpressionWriter::inverse_cosine_or_sine(ValueId id, std::string_view function, Helper tolerant) {
   ExpressionId x = operand(id, 0);
-  if (range(id, 0).least < -1 || range(id, 0).most > 1) return helper(tolerant, {x});
+  if (range(id, 0).least < -1 || range(id, 0).most > 1) return helper(tolerant, {x}, is_triple_value(id));
   Op op = graph_.at(graph_.operand(id, 0)).op;
   bool is_clamped = op == Op::Min || op == Op::Max;
   return pool_.call(function, {is_clamped ? x : clamped(x)});

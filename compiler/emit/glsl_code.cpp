@@ -196,7 +196,7 @@ class CodeWriter {
   std::vector<std::string> definitions_;
   std::vector<std::string> function_names_;
   ExpressionPool pool_;
-  std::set<Helper> helpers_;
+  std::set<HelperUse> helpers_;
 };
 
 }  // namespace

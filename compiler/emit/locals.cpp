@@ -30,7 +30,7 @@ bool is_reduction(Op op) {
 class Planner {
  public:
   Planner(ExpressionPool& pool, const GraphWithDirections& directions, const std::vector<Range>& ranges,
-          const std::vector<BodyItem>& items, FunctionScope& scope, std::set<Helper>& helpers)
+          const std::vector<BodyItem>& items, FunctionScope& scope, std::set<HelperUse>& helpers)
       : pool_(pool),
         directions_(directions),
         graph_(directions.graph),
@@ -215,7 +215,7 @@ class Planner {
 }  // namespace
 
 BodyPlan plan_body(ExpressionPool& pool, const GraphWithDirections& directions, const std::vector<Range>& ranges,
-                   const std::vector<BodyItem>& items, FunctionScope& scope, std::set<Helper>& helpers) {
+                   const std::vector<BodyItem>& items, FunctionScope& scope, std::set<HelperUse>& helpers) {
   return Planner(pool, directions, ranges, items, scope, helpers).run();
 }
 

@@ -35,7 +35,7 @@ struct BodyPlan {
 /// Decides which values are locals: where that shortens the code, where their names read better than they do, and
 /// where expressions would nest too deeply.
 BodyPlan plan_body(ExpressionPool& pool, const GraphWithDirections& directions, const std::vector<Range>& ranges,
-                   const std::vector<BodyItem>& items, FunctionScope& scope, std::set<Helper>& helpers);
+                   const std::vector<BodyItem>& items, FunctionScope& scope, std::set<HelperUse>& helpers);
 
 /// The bounds of a Sum or Product whose loop counts in integers: known beforehand, and few enough.
 std::optional<std::pair<int, int>> integer_bounds(const ir::Graph& graph, ir::ValueId reduction);

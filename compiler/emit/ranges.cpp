@@ -77,6 +77,19 @@ class RangeFinder {
         return {0, bound_product(largest(id, 0), largest(id, 1)), fails};
       case Op::Multiply:
         return {0, bound_product(largest(id, 0), largest(id, 1)), fails};
+      case Op::Sin:
+      case Op::Cos:
+      case Op::Tanh:
+        return {0, std::sqrt(3.0), fails};
+      case Op::Arcsin:
+      case Op::Arccos:
+        return {0, kHalfTurn * std::sqrt(3.0), fails || of(id, 0).most > 1};
+      case Op::Sqrt:
+      case Op::Ln:
+      case Op::Root:
+        return {0, kInfinity, true};
+      case Op::Power:
+        return {0, kInfinity, fails || !has_whole_exponent(id)};
       case Op::Formal:
         return {0, kInfinity, formals_can_fail_[value.index]};
       case Op::Call:
@@ -197,13 +210,19 @@ class RangeFinder {
   Range power(ValueId id, bool fails) const {
     const Range& base = of(id, 0);
     const Range& exponent = of(id, 1);
-    bool whole = exponent.least == exponent.most && std::floor(exponent.least) == exponent.least;
+    bool whole = has_whole_exponent(id);
     bool even = whole && std::fmod(exponent.least, 2) == 0;
     if (base.least >= 0 || even) {
       bool shrinks = base.least >= -1 && base.most <= 1 && exponent.least >= 0;
       return {0, shrinks ? 1 : kInfinity, fails};
     }
     return anything(fails || !whole);
+  }
+
+  bool has_whole_exponent(ValueId id) const {
+    const Range& exponent = of(id, 1);
+    bool is_real = !is_triple(graph_.at(graph_.operand(id, 1)).type);
+    return is_real && exponent.least == exponent.most && std::floor(exponent.least) == exponent.least;
   }
 
   const ir::Graph& graph_;

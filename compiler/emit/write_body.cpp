@@ -212,7 +212,7 @@ class BodyWriter {
 
 std::vector<Statement> write_body(ExpressionPool& pool, const Graph& graph, const ProgramRanges& ranges,
                                   const std::vector<bool>* formals_can_fail, const std::vector<BodyItem>& items,
-                                  FunctionScope& scope, std::set<Helper>& helpers) {
+                                  FunctionScope& scope, std::set<HelperUse>& helpers) {
   bool is_entry_point = formals_can_fail == nullptr;
   GraphWithDirections directions = name_directions(graph, is_entry_point);
   std::vector<Range> values =

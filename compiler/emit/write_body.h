@@ -15,6 +15,6 @@ namespace texbrdf::emit {
 /// equation that needs it. `formals_can_fail`: one for each formal of the function; nullptr for the entry point.
 std::vector<Statement> write_body(ExpressionPool& pool, const ir::Graph& graph, const ProgramRanges& ranges,
                                   const std::vector<bool>* formals_can_fail, const std::vector<BodyItem>& items,
-                                  FunctionScope& scope, std::set<Helper>& helpers);
+                                  FunctionScope& scope, std::set<HelperUse>& helpers);
 
 }  // namespace texbrdf::emit

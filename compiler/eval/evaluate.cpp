@@ -25,6 +25,17 @@ Triple map(Function function, const Triple& a, const Triple& b) {
   return {function(a[0], b[0]), function(a[1], b[1]), function(a[2], b[2])};
 }
 
+template <typename Function>
+Triple by_component(const ir::Value& v, Function function, const Triple& a) {
+  if (!is_triple(v.type)) return spread(function(a[0]));
+  return {function(a[0]), function(a[1]), function(a[2])};
+}
+
+template <typename Function>
+Triple by_component(const ir::Value& v, Function function, const Triple& a, const Triple& b) {
+  return is_triple(v.type) ? map(function, a, b) : spread(function(a[0], b[0]));
+}
+
 double dot(const Triple& a, const Triple& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -176,39 +187,39 @@ class Walk {
       case Op::Divide:
         return map(std::divides<>{}, a(), b());
       case Op::Min:
-        return spread(minimum(x(), y()));
+        return by_component(v, minimum, a(), b());
       case Op::Max:
-        return spread(maximum(x(), y()));
+        return by_component(v, maximum, a(), b());
       case Op::Power:
-        return spread(power(x(), y()));
+        return by_component(v, power, a(), b());
       case Op::Root:
-        return spread(root(x(), y()));
+        return by_component(v, root, a(), b());
       case Op::Sqrt:
-        return spread(std::sqrt(x()));
+        return by_component(v, [](double component) { return std::sqrt(component); }, a());
       case Op::Exp:
-        return spread(std::exp(x()));
+        return by_component(v, [](double component) { return std::exp(component); }, a());
       case Op::Ln:
-        return spread(std::log(x()));
+        return by_component(v, [](double component) { return std::log(component); }, a());
       case Op::Sin:
-        return spread(std::sin(x()));
+        return by_component(v, [](double component) { return std::sin(component); }, a());
       case Op::Cos:
-        return spread(std::cos(x()));
+        return by_component(v, [](double component) { return std::cos(component); }, a());
       case Op::Tan:
-        return spread(std::tan(x()));
+        return by_component(v, [](double component) { return std::tan(component); }, a());
       case Op::Arcsin:
-        return spread(arcsin(x()));
+        return by_component(v, arcsin, a());
       case Op::Arccos:
-        return spread(arccos(x()));
+        return by_component(v, arccos, a());
       case Op::Arctan:
-        return spread(std::atan(x()));
+        return by_component(v, [](double component) { return std::atan(component); }, a());
       case Op::Arctan2:
         return spread(arctan2(x(), y()));
       case Op::Sinh:
-        return spread(std::sinh(x()));
+        return by_component(v, [](double component) { return std::sinh(component); }, a());
       case Op::Cosh:
-        return spread(std::cosh(x()));
+        return by_component(v, [](double component) { return std::cosh(component); }, a());
       case Op::Tanh:
-        return spread(std::tanh(x()));
+        return by_component(v, [](double component) { return std::tanh(component); }, a());
       case Op::Reference:
       case Op::Formal:
       case Op::Call:

@@ -119,6 +119,7 @@ class Lowering {
       case NodeKind::Apply:
         return call(node);
       case NodeKind::VectorLiteral:
+      case NodeKind::Tuple:
         return graph_.add(Op::MakeVector, {child_value(node, 0), child_value(node, 1), child_value(node, 2)});
       case NodeKind::Error:
       case NodeKind::Signature:
@@ -176,8 +177,8 @@ class Lowering {
   ValueId infix(NodeId node) {
     const ValueId left = child_value(node, 0), right = child_value(node, 1);
     const Op op = infix_op(token(node).kind);
-    const bool triples = is_triple(graph_.at(left).type) && is_triple(graph_.at(right).type);
-    return graph_.add(op == Op::Multiply && triples ? Op::Dot : op, {left, right});
+    const bool is_dot = op == Op::Multiply && is_triple(graph_.at(left).type) && type(node) == Type::Real;
+    return graph_.add(is_dot ? Op::Dot : op, {left, right});
   }
 
   ValueId root(NodeId node) {

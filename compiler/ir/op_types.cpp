@@ -17,7 +17,7 @@ bool all_are(std::span<const Type> operands, Type type) {
   return std::all_of(operands.begin(), operands.end(), [type](Type operand) { return operand == type; });
 }
 
-/// Vector and Colour are one type for the language so far: of a mixture the Vector wins.
+/// The kinds of triples are one for graphs: of a mixture the Vector wins.
 Type unify(Type a, Type b) {
   if (a == b) return a;
   return is_triple(a) && is_triple(b) ? Type::Vector : Type::Error;
@@ -83,11 +83,6 @@ Type result_type(Op op, std::span<const Type> operands) {
     case Op::Subtract:
     case Op::Multiply:
     case Op::Divide:
-      return elementwise(operands);
-    case Op::Dot:
-      return only(is_triple(operands[0]) && is_triple(operands[1]), Type::Real);
-    case Op::Cross:
-      return is_triple(operands[0]) ? unify(operands[0], operands[1]) : Type::Error;
     case Op::Min:
     case Op::Max:
     case Op::Power:
@@ -101,10 +96,15 @@ Type result_type(Op op, std::span<const Type> operands) {
     case Op::Arcsin:
     case Op::Arccos:
     case Op::Arctan:
-    case Op::Arctan2:
     case Op::Sinh:
     case Op::Cosh:
     case Op::Tanh:
+      return elementwise(operands);
+    case Op::Dot:
+      return only(is_triple(operands[0]) && is_triple(operands[1]), Type::Real);
+    case Op::Cross:
+      return is_triple(operands[0]) ? unify(operands[0], operands[1]) : Type::Error;
+    case Op::Arctan2:
       return only(all_are(operands, Type::Real), Type::Real);
   }
   return Type::Error;

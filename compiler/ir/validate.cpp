@@ -10,7 +10,7 @@ namespace {
 
 using Fault = std::optional<std::string>;
 
-/// Vector and Colour are apart in the table of types and one type for this version of the language.
+/// The kinds of triples are one for graphs.
 bool compatible(Type a, Type b) {
   return a == b || (is_triple(a) && is_triple(b));
 }

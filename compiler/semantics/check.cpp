@@ -136,13 +136,19 @@ class DefinitionCheck {
     Signature& signature = checked_.signature;
     signature.is_function = view_.node(view_.syntax.left).kind == NodeKind::Signature;
     signature.parameters = parameter_types();
-    if (view_.syntax.readable) signature.result = checked_.types[view_.slot(view_.syntax.body)];
+    if (view_.syntax.readable) signature.result = result_type();
     if (checked_.sound) hint_unused_parameters();
     checked_.referents = std::move(body_.referents);
     write_left_types();
     if (checked_.diagnostics.size() > kMaxReports) checked_.diagnostics.resize(kMaxReports, checked_.diagnostics[0]);
     const bool may_have_range = checked_.sound && !view_.block.comments.empty();
     if (may_have_range) parameter_literal(view_.block, view_.syntax, checked_.diagnostics);
+  }
+
+  Type result_type() const {
+    const Type type = checked_.types[view_.slot(view_.syntax.body)];
+    const bool is_named_vector = view_.table.traits(checked_.name).is_vector;
+    return type == Type::Tuple && is_named_vector ? Type::Vector : type;
   }
 
   // Directions are what a BRDF takes, whether it needs them or not.

@@ -7,9 +7,9 @@
 namespace texbrdf {
 namespace {
 
-/// By token: a `(` with a comma between it and its `)`, outside of inner brackets.
-std::vector<bool> find_lists(std::span<const Token> tokens) {
-  std::vector<bool> is_list(tokens.size());
+/// By token: of a `(`, the commas between it and its `)`, outside of inner brackets.
+std::vector<uint32_t> count_commas(std::span<const Token> tokens) {
+  std::vector<uint32_t> commas(tokens.size());
   std::vector<uint32_t> open;
   for (uint32_t i = 0; i < tokens.size(); ++i) {
     if (is_opener(tokens[i].kind)) {
@@ -17,10 +17,10 @@ std::vector<bool> find_lists(std::span<const Token> tokens) {
     } else if (is_closer(tokens[i].kind)) {
       if (!open.empty()) open.pop_back();
     } else if (tokens[i].kind == TokenKind::Comma && !open.empty()) {
-      is_list[open.back()] = true;
+      ++commas[open.back()];
     }
   }
-  return is_list;
+  return commas;
 }
 
 class FactorSearch {
@@ -76,16 +76,17 @@ class FactorSearch {
     return std::ranges::any_of(parameters, [&](NodeId node) { return names_.by_node[node.value] == name; });
   }
 
+  /// Several arguments, which are no tuple.
   bool is_list(uint32_t bracket) {
-    if (is_list_.empty()) is_list_ = find_lists(block_.tokens);
-    return is_list_[bracket];
+    if (commas_.empty()) commas_ = count_commas(block_.tokens);
+    return commas_[bracket] != 0 && commas_[bracket] != 2;
   }
 
   const ParsedBlock& block_;
   const BlockNames& names_;
   const NameTable& table_;
   const std::function<NameKind(NameId)>& kind_of_;
-  std::vector<bool> is_list_;  // by token, when it is first asked for
+  std::vector<uint32_t> commas_;  // by token, when it is first asked for
   std::vector<uint32_t> found_;
 };
 

@@ -21,10 +21,22 @@ class PossibleTypes {
   TypeSet parameter(uint32_t position) const { return parameters_[position]; }
   TypeSet binary(NodeId, Operator op, TypeSet left, TypeSet right) { return checked(results(op, left, right)); }
 
-  TypeSet real_function(NodeId id, const std::vector<TypeSet>& values) {
-    TypeSet found = Type::Real;
+  TypeSet elementary(NodeId id, const std::vector<TypeSet>& values) {
+    TypeSet found;
+    bool may_be_real = true;
     for (NodeId operand : view_.block.tree.children(id)) {
-      found = found | accept(values[view_.slot(operand)], Type::Real);
+      const TypeSet got = accept(values[view_.slot(operand)], TypeSet::componentwise());
+      may_be_real = may_be_real && !(got & (TypeSet(Type::Real) | Type::Error)).empty();
+      if (got.contains(Type::Colour) || got.contains(Type::Tuple)) found = found | Type::Colour;
+      found = found | (got & Type::Error);
+    }
+    return may_be_real ? found | Type::Real : found;
+  }
+
+  TypeSet tuple(NodeId id, const std::vector<TypeSet>& values) {
+    TypeSet found = Type::Tuple;
+    for (NodeId element : view_.block.tree.children(id)) {
+      found = found | (accept(values[view_.slot(element)], Type::Real) & Type::Error);
     }
     return found;
   }
@@ -36,7 +48,7 @@ class PossibleTypes {
     for (size_t i = 0; i < count; ++i) {
       const Type expected = signature.parameters[i];
       const TypeSet got = values[view_.slot(arguments[i])];
-      found = found | (expected == Type::Error ? TypeSet(Type::Error) : accept(got, expected));
+      found = found | (expected == Type::Error ? Type::Error : accept(got, TypeSet::fitting(expected)) & Type::Error);
     }
     return found;
   }
@@ -47,11 +59,8 @@ class PossibleTypes {
     return types;
   }
 
-  // A poisoned operand is accepted and poisons: gives Error where it may be that.
-  TypeSet accept(TypeSet got, Type expected) {
-    checked(got & (TypeSet(expected) | Type::Error));
-    return got & Type::Error;
-  }
+  // What of `got` is expected. A poisoned operand is accepted and poisons.
+  TypeSet accept(TypeSet got, TypeSet expected) { return checked(got & (expected | Type::Error)); }
 
   const DefinitionView& view_;
   const ResolvedBody& body_;

@@ -27,6 +27,16 @@ class TypeSet {
   constexpr TypeSet(Type type) : bits_(bit(type)) {}  // NOLINT(google-explicit-constructor)
   /// What a parameter may be while nothing is known of it.
   static constexpr TypeSet any_value() { return TypeSet(Type::Real) | TypeSet(Type::Vector); }
+  /// What elementary functions take.
+  static constexpr TypeSet componentwise() { return TypeSet(Type::Real) | Type::Colour | Type::Tuple; }
+  /// What can stand where a value of the type is expected.
+  static constexpr TypeSet fitting(Type expected) {
+    TypeSet set = expected;
+    for (Type type : {Type::Vector, Type::Colour, Type::Tuple}) {
+      if (fits(type, expected)) set = set | type;
+    }
+    return set;
+  }
 
   constexpr bool empty() const { return bits_ == 0; }
   constexpr bool contains(Type type) const { return (bits_ & bit(type)) != 0; }

@@ -89,7 +89,7 @@ class LiteralReader {
     ParameterLiteral literal;
     literal.literal = definition_.body;
     const Node& body = block_.tree.node(definition_.body);
-    if (body.kind == NodeKind::VectorLiteral) return read_colour(literal);
+    if (body.kind == NodeKind::VectorLiteral || body.kind == NodeKind::Tuple) return read_colour(literal);
     const std::optional<double> value = read_number(definition_.body);
     if (!value) return std::nullopt;
     literal.value = {*value, 0, 0};

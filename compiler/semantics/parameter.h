@@ -8,10 +8,11 @@
 
 namespace texbrdf {
 
-/// A definition that a person may turn with a slider: its right side is a number (signed too) or a vector literal with
-/// components in [0, 1], and its block has no `% constant`. Whether it really is a parameter is decided at link time.
+/// A definition that a person may turn with a slider: its right side is a number (signed too), or a vector literal or
+/// tuple of numbers with components in [0, 1], and its block has no `% constant`. Whether it really is a parameter is
+/// decided at link time.
 struct ParameterLiteral {
-  Type type = Type::Real;         ///< Real, or Colour for a vector literal
+  Type type = Type::Real;         ///< Real, or Colour for three numbers
   std::array<double, 3> value{};  ///< linear RGB for a colour; value[0] for a real
   double minimum = 0;             ///< of every component; minimum <= value <= maximum
   double maximum = 1;

@@ -43,11 +43,14 @@ class OneType {
       const bool is_known = left != Type::Error && right != Type::Error;
       return is_known ? *found : of_unknown(*found);
     }
-    if (op == Operator::SideBySide) {
+    if (op == Operator::SideBySide && result(Operator::Multiply, left, right)) {
       report_missing_operator(id);
+    } else if (op == Operator::SideBySide) {
+      report(Code::OperatorMismatch, first_place(view_.block.tree.child(id, 1)),
+             {"\\cdot", symbol(left), symbol(right), std::string(operator_needs(Operator::Multiply))});
     } else if (op == Operator::Power) {
-      expect_real(id, view_.block.tree.child(id, 0), left);
-      expect_real(id, view_.block.tree.child(id, 1), right);
+      expect_componentwise(id, view_.block.tree.child(id, 0), left);
+      expect_componentwise(id, view_.block.tree.child(id, 1), right);
     } else {
       report(Code::OperatorMismatch, view_.at_token(view_.node(id).token),
              {operator_text(id), symbol(left), symbol(right), std::string(operator_needs(op))});
@@ -55,21 +58,39 @@ class OneType {
     return Type::Error;
   }
 
-  Type real_function(NodeId id, const std::vector<Type>& values) {
+  Type elementary(NodeId id, const std::vector<Type>& values) {
     const size_t reported = typed_.diagnostics.size();
     bool is_known = true;
+    bool is_colour = false;
     const std::span<const NodeId> operands = view_.block.tree.children(id);
     for (NodeId operand : operands) {
       const Type type = values[view_.slot(operand)];
-      expect_real(id, operand, type);
+      expect_componentwise(id, operand, type);
       is_known = is_known && type != Type::Error;
+      is_colour = is_colour || is_triple(type);
     }
     if (view_.node(id).kind == NodeKind::Extremum && operands.size() < 2) {
       report(Code::ArgumentCount, view_.at(id),
              {operator_text(id), "2 arguments or more", count_of_arguments(operands.size())});
     }
     if (typed_.diagnostics.size() > reported) return Type::Error;
-    return is_known ? Type::Real : of_unknown(Type::Real);
+    if (is_known) return is_colour ? Type::Colour : Type::Real;
+    return of_unknown(is_colour ? Type::Colour : Type::Error);
+  }
+
+  Type tuple(NodeId id, const std::vector<Type>& values) {
+    const size_t reported = typed_.diagnostics.size();
+    bool is_known = true;
+    const std::span<const NodeId> elements = view_.block.tree.children(id);
+    if (elements.size() != 3) report(Code::TupleLength, view_.at(id), {std::to_string(elements.size())});
+    for (NodeId element : elements) {
+      const Type type = values[view_.slot(element)];
+      is_known = is_known && type != Type::Error;
+      if (type == Type::Real || type == Type::Error) continue;
+      report(Code::TupleElement, view_.at(view_.without_groups(element)), {symbol(type)});
+    }
+    if (typed_.diagnostics.size() > reported) return Type::Error;
+    return is_known ? Type::Tuple : of_unknown(Type::Tuple);
   }
 
   Type call(NodeId id, const Signature& signature, const std::vector<Type>& values) {
@@ -88,7 +109,7 @@ class OneType {
       const Type got = values[view_.slot(arguments[i])];
       if (expected == Type::Error || got == Type::Error) {
         is_known = false;
-      } else if (expected != got) {
+      } else if (!fits(got, expected)) {
         report(Code::ArgumentType, view_.at(view_.without_groups(arguments[i])),
                {ordinal(i + 1), view_.name_text(children[0]), symbol(expected), symbol(got)});
       }
@@ -114,8 +135,8 @@ class OneType {
     typed_.diagnostics.back().fixes.push_back({.title = "insert `\\cdot`", .edits = {{before, "\\cdot "}}});
   }
 
-  void expect_real(NodeId id, NodeId operand, Type type) {
-    if (type == Type::Real || type == Type::Error) return;
+  void expect_componentwise(NodeId id, NodeId operand, Type type) {
+    if (is_componentwise(type) || type == Type::Error) return;
     report(Code::OperandNotReal, view_.at(view_.without_groups(operand)), {operator_text(id), symbol(type)});
   }
 

@@ -11,7 +11,8 @@ namespace texbrdf {
 /// reports (type_body.cpp), or the set of types it may still have (infer_parameters.cpp). It provides
 ///   Value exactly(Type), Value parameter(uint32_t position),
 ///   Value binary(NodeId, Operator, Value left, Value right),
-///   Value real_function(NodeId, const Values&), Value call(NodeId, const Signature&, const Values&),
+///   Value elementary(NodeId, const Values&), Value tuple(NodeId, const Values&),
+///   Value call(NodeId, const Signature&, const Values&),
 ///   Value leaf(uint32_t slot), bool stopped()
 /// where Values are all values so far by slot.
 template <typename Domain>
@@ -45,6 +46,8 @@ class TypeWalk {
       case NodeKind::Group:
       case NodeKind::Prefix:
         return node.child_count == 1 ? child(id, 0, values) : domain_.exactly(Type::Error);
+      case NodeKind::Tuple:
+        return domain_.tuple(id, values);
       case NodeKind::Infix:
       case NodeKind::Fraction:
         return binary(id, values);
@@ -52,7 +55,7 @@ class TypeWalk {
       case NodeKind::Function:
       case NodeKind::Inverse:
       case NodeKind::Extremum:
-        return domain_.real_function(id, values);
+        return domain_.elementary(id, values);
       case NodeKind::Apply:
         return apply(id, values);
       case NodeKind::Juxtaposition:

@@ -9,7 +9,7 @@ namespace texbrdf {
 
 /// Types of expressions, from types.def. Error is the unknown type of what is in error: it goes with everything and
 /// reports nothing.
-/// Vector (a direction) and Colour (linear RGB) are apart in the table; this version of the language unifies them.
+/// Vector is a direction or position, Colour is linear RGB. Tuple is `(a, b, c)`, which is whichever its use demands.
 enum class Type : uint8_t {
 #define TYPE(name, symbol, components) name,
 #include "semantics/types.def"
@@ -20,7 +20,17 @@ std::string_view type_symbol(Type type);
 /// Numbers that a value of the type holds.
 uint32_t type_components(Type type);
 constexpr bool is_triple(Type type) {
-  return type == Type::Vector || type == Type::Colour;
+  return type == Type::Vector || type == Type::Colour || type == Type::Tuple;
+}
+
+/// Whether a value of the type is one number, or three that operations take one by one beside numbers.
+constexpr bool is_componentwise(Type type) {
+  return type == Type::Real || type == Type::Colour || type == Type::Tuple;
+}
+/// Whether a value of the type can stand where the other is expected.
+constexpr bool fits(Type type, Type expected) {
+  return type == expected || (type == Type::Tuple && is_triple(expected)) ||
+         (expected == Type::Tuple && is_triple(type));
 }
 
 /// What a name is: a plain definition has `is_function == false` and no parameters.

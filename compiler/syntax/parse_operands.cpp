@@ -19,6 +19,10 @@ bool is_minus_one(const ParsedBlock& block, NodeId exponent) {
 Parser::Part Parser::parse_group() {
   const uint32_t opener = advance();
   const Part inner = parse_expression(0);
+  if (at(TokenKind::Comma) && tokens_[opener].kind != TokenKind::OpenBrace) {
+    list_.push_back(inner);
+    return finish_list(NodeKind::Tuple, opener, opener, opener, list_.size() - 1);
+  }
   const bool closed = close(opener);
   return make(closed ? NodeKind::Group : NodeKind::Error, opener, opener, {inner});
 }
@@ -142,6 +146,12 @@ Parser::Part Parser::parse_extremum() {
 Parser::Part Parser::parse_list(NodeKind kind, uint32_t token, uint32_t first_token, uint32_t opener) {
   const size_t first_element = kind == NodeKind::Apply ? list_.size() - 1 : list_.size();
   list_.push_back(parse_expression(0));
+  return finish_list(kind, token, first_token, opener, first_element);
+}
+
+/// What follows the first expression of a list.
+Parser::Part Parser::finish_list(NodeKind kind, uint32_t token, uint32_t first_token, uint32_t opener,
+                                 size_t first_element) {
   while (at(TokenKind::Comma)) {
     advance();
     recovering_ = false;

@@ -90,6 +90,7 @@ class Parser {
   Part parse_braced(uint32_t owner);
   Part parse_vector_literal();
   Part parse_list(NodeKind kind, uint32_t token, uint32_t first_token, uint32_t opener);
+  Part finish_list(NodeKind kind, uint32_t token, uint32_t first_token, uint32_t opener, size_t first_element);
   bool close(uint32_t opener);
 
   // Names (parse_names.cpp).

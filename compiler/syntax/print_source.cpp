@@ -29,6 +29,10 @@ class SourcePrinter {
         return print_tokens(node.first_token, node.end_token);
       case NodeKind::Group:
         return print(child(id, 0));
+      case NodeKind::Tuple:
+        write("(");
+        print_list(id, 0);
+        return write(")");
       case NodeKind::Prefix:
         write("(");
         write(operator_text(node.token));

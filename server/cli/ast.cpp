@@ -28,6 +28,8 @@ std::string node_title(const ParsedBlock& block, NodeId id) {
       return std::string(block.node_text(id));
     case NodeKind::Group:
       return block.token_text(node.token) == "(" ? "( )" : "{ }";
+    case NodeKind::Tuple:
+      return "( , )";
     case NodeKind::Prefix:
     case NodeKind::Infix:
     case NodeKind::Fraction:

@@ -82,7 +82,9 @@ class Completer {
   Fit fit_of(Type type) const {
     if (!demanded_) return Fit::Good;
     if (type == Type::Error) return Fit::Unknown;
-    return is_triple(type) == is_triple(*demanded_) ? Fit::Good : Fit::Bad;
+    const bool fit =
+        *demanded_ == Type::Vector ? fits(type, Type::Vector) : is_componentwise(type) || fits(type, *demanded_);
+    return fit ? Fit::Good : Fit::Bad;
   }
 
   bool matches(std::string_view name) const { return starts_with_key(name, key_); }

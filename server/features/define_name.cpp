@@ -68,8 +68,10 @@ class MissingName {
   }
 
   std::string_view value() const {
-    const bool is_vector = name_traits(parsed_.node_text(node_)).is_vector || is_triple(demanded());
-    return is_vector ? "\\vec{1, 1, 1}" : "1";
+    if (name_traits(parsed_.node_text(node_)).is_vector) return "\\vec{1, 1, 1}";
+    const Type type = demanded();
+    if (type == Type::Vector) return "\\vec{1, 1, 1}";
+    return is_triple(type) ? "(1, 1, 1)" : "1";
   }
 
  private:
@@ -77,7 +79,7 @@ class MissingName {
   std::string parameter(NodeId argument, const std::vector<std::string>& others) const {
     while (parsed_.tree.node(argument).kind == NodeKind::Group) argument = parsed_.tree.child(argument, 0);
     std::string name = fmt::format("x_{}", others.size() + 1);
-    const bool is_vector = is_triple(type_of(argument));
+    const bool is_vector = type_of(argument) == Type::Vector;
     const bool is_name = parsed_.tree.node(argument).kind == NodeKind::Name;
     if (is_name) {
       const std::string written(parsed_.node_text(argument));

@@ -38,6 +38,7 @@ class DemandReader {
           if (brackets_.empty()) return std::nullopt;
           const OpenBracket bracket = brackets_.back();
           brackets_ = brackets_.first(brackets_.size() - 1);
+          if (bracket.role == Role::Group && bracket.commas > 0) return Type::Real;
           if (!passes_on(bracket.role)) return demanded_in(bracket);
           token = bracket.first_token;
           continue;

@@ -35,6 +35,7 @@ NodeId innermost(const SyntaxTree& tree, NodeId node, uint32_t token) {
 bool is_compound(NodeKind kind) {
   switch (kind) {
     case NodeKind::Group:
+    case NodeKind::Tuple:
     case NodeKind::Prefix:
     case NodeKind::Infix:
     case NodeKind::Fraction:

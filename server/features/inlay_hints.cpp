@@ -2,11 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "features/places.h"
 #include "features/value_text.h"
 
 namespace texbrdf::features {
 namespace {
+
+bool is_number(const ParsedBlock& block, NodeId node) {
+  if (block.tree.node(node).kind == NodeKind::Prefix) node = block.tree.child(node, 0);
+  return block.tree.node(node).kind == NodeKind::Number;
+}
 
 /// A literal says its value itself.
 bool is_literal(const ParsedBlock& block, NodeId node) {
@@ -15,7 +22,9 @@ bool is_literal(const ParsedBlock& block, NodeId node) {
     case NodeKind::VectorLiteral:
       return true;
     case NodeKind::Prefix:
-      return block.tree.node(block.tree.child(node, 0)).kind == NodeKind::Number;
+      return is_number(block, node);
+    case NodeKind::Tuple:
+      return std::ranges::all_of(block.tree.children(node), [&](NodeId child) { return is_number(block, child); });
     case NodeKind::Name:
     case NodeKind::Group:
     case NodeKind::Infix:

@@ -21,6 +21,7 @@ std::string_view type_word(Type type) {
     case Type::Colour:
       return "colour";
     case Type::Vector:
+    case Type::Tuple:
       return "vector";
     case Type::Boolean:
     case Type::Error:

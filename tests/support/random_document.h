@@ -39,16 +39,20 @@ class RandomDocument {
     std::string left, right, comment;
   };
 
+  enum class Kind : uint8_t { Real, Vector, Colour };
+
   struct Function {
     std::string name;
     std::vector<bool> vector_parameters;
-    bool vector_result;
+    Kind result;
   };
 
-  /// The names that an expression may use. Reals lie in [-1, 1], components of vectors too.
+  /// The names that an expression may use. Reals lie in [-1, 1], components of vectors and colours too.
   struct Scope {
     std::vector<std::string> reals;
     std::vector<std::string> vectors;
+    std::vector<std::string> colours;
+    std::vector<std::string> tuples;  ///< of numbers: vectors and colours
     std::vector<std::string> angles{"\\theta_i", "\\theta_o", "\\theta_h", "\\theta_d", "\\phi_i", "\\phi_{o}"};
   };
 
@@ -109,8 +113,10 @@ class RandomDocument {
   void add_parameter() {
     const std::string name = next_name();
     if (random_.chance(0.3)) {
-      add_block(name, "\\vec{" + number(0, 1) + ", " + number(0, 1) + ", 0.5}");
-      document_.vectors.push_back(name);
+      const std::string components = number(0, 1) + ", " + number(0, 1) + ", 0.5";
+      const bool is_tuple = !is_vector_name(name) && random_.chance(0.5);
+      add_block(name, is_tuple ? "(" + components + ")" : "\\vec{" + components + "}");
+      (is_tuple ? document_.tuples : document_.vectors).push_back(name);
       return;
     }
     const bool constant = random_.chance(0.2);
@@ -118,11 +124,24 @@ class RandomDocument {
     document_.reals.push_back(name);
   }
 
+  static bool is_vector_name(const std::string& name) { return name.starts_with("\\vec"); }
+
+  Kind random_kind() {
+    if (random_.chance(0.6)) return Kind::Real;
+    return random_.chance(0.5) ? Kind::Vector : Kind::Colour;
+  }
+
+  std::string expression_of(Kind kind, const Scope& scope) {
+    if (kind == Kind::Colour) return colour(scope, options_.depth);
+    return kind == Kind::Vector ? vector_of(scope) : real_of(scope);
+  }
+
   void add_function() {
     static const std::vector<std::string> real_names{"x", "y_1", "\\tau", "\\theta_h", "\\beta"};
     static const std::vector<std::string> vector_names{"\\vec{u}", "\\omega_i", "\\vec{h}", "\\vec{v_2}",
                                                        "\\vec{\\omega_o}"};
-    Function function{.name = next_name(), .vector_parameters = {}, .vector_result = random_.chance(0.3)};
+    Function function{.name = next_name(), .vector_parameters = {}, .result = random_kind()};
+    if (is_vector_name(function.name)) function.result = Kind::Vector;
     Scope scope = document_;
     std::string left = function.name + "(";
     std::vector<std::string> parameters;
@@ -139,7 +158,7 @@ class RandomDocument {
       // Twice, so that bodies use what they are given.
       for (int repeat = 0; repeat < 2; ++repeat) (vector ? scope.vectors : scope.reals).push_back(name);
     }
-    add_block(left + ")", function.vector_result ? vector_of(scope) : real_of(scope));
+    add_block(left + ")", expression_of(function.result, scope));
     functions_.push_back(function);
   }
 
@@ -149,26 +168,30 @@ class RandomDocument {
     };
     erase(scope.reals);
     erase(scope.vectors);
+    erase(scope.colours);
+    erase(scope.tuples);
     erase(scope.angles);
   }
 
   void add_definition() {
     const std::string name = next_name();
-    if (random_.chance(0.3)) {
-      add_block(name, vector_of(document_));
-      document_.vectors.push_back(name);
-    } else {
-      add_block(name, real_of(document_));
-      document_.reals.push_back(name);
-    }
+    const Kind kind = is_vector_name(name) ? Kind::Vector : random_kind();
+    add_block(name, expression_of(kind, document_));
+    if (kind == Kind::Real) document_.reals.push_back(name);
+    if (kind == Kind::Vector) document_.vectors.push_back(name);
+    if (kind == Kind::Colour) document_.colours.push_back(name);
   }
 
   void add_root() {
     const std::string real = "2 + " + real_of(document_) + " + " + real_of(document_);
     const std::string vector = vector_of(document_);
-    switch (random_.below(3)) {
+    switch (random_.below(5)) {
       case 0:
         return add_block("f", real);
+      case 2:
+        return add_block("f", real + " + " + colour(document_, options_.depth));
+      case 3:
+        return add_block("f", group(real) + " " + group(colour(document_, options_.depth)));
       case 1:
         return add_block("f", "\\left(" + real + "\\right) * " + vector);
       default:
@@ -266,7 +289,57 @@ class RandomDocument {
         if (scope.reals.empty()) return real_leaf(scope);
         return group(random_.one_of(scope.reals) + "(" + real(scope, next) + ")");
       default:
-        return call(scope, next, false);
+        return call(scope, next, Kind::Real);
+    }
+  }
+
+  std::string tuple(const Scope& scope, int depth) {
+    if (!scope.tuples.empty() && random_.chance(0.4)) return random_.one_of(scope.tuples);
+    const int next = depth == 0 ? 0 : depth - 1;
+    return "(" + real(scope, next) + ", " + real(scope, next) + ", " + number(0, 1) + ")";
+  }
+
+  /// A colour, or a tuple that can be one.
+  std::string colour(const Scope& scope, int depth) {
+    if (depth == 0 || random_.chance(0.1)) {
+      return scope.colours.empty() || random_.chance(0.4) ? tuple(scope, 0) : random_.one_of(scope.colours);
+    }
+    const int next = depth - 1;
+    const auto inner = [&] { return colour(scope, next); };
+    const auto positive_colour = [&] { return group("2 + " + inner()); };
+    switch (random_.below(16)) {
+      case 0:
+        return tuple(scope, next);
+      case 1:
+        return group(inner() + (random_.chance(0.5) ? " * " : " \\cdot ") + inner());
+      case 2:
+        return group(group(inner()) + group(inner()));
+      case 3:
+        return group(real(scope, next) + "/2 + 0.5 * " + inner());
+      case 4:
+        return group(inner() + " / 2 - 0.5 * " + real(scope, next));
+      case 5:
+        return group("0.5 * " + inner() + " - " + inner() + " / 2");
+      case 6:
+        return "\\frac{" + inner() + "}{" + positive_colour() + "}";
+      case 7:
+        return group(real(scope, next) + " / " + positive_colour());
+      case 8:
+        return group("\\sqrt{" + positive_colour() + "}^{" + real(scope, next) + "} / 1.8");
+      case 9:
+        return group(group(inner()) + "^" + std::to_string(random_.between(2, 9)));
+      case 10:
+        return group(positive(scope, next) + "^{" + inner() + "} / 3");
+      case 11:
+        return group(random_.one_of(elementary_) + group("0.7 * " + inner()) + " * 0.4");
+      case 12:
+        return group("\\ln" + positive_colour() + " / 1.2 - \\exp(-2 + " + inner() + ") * 0.1");
+      case 13:
+        return "\\max(" + inner() + ", " + real(scope, next) + ", " + inner() + ")";
+      case 14:
+        return "\\min{" + real(scope, next) + ", -" + inner() + "}";
+      default:
+        return call(scope, next, Kind::Colour);
     }
   }
 
@@ -277,7 +350,9 @@ class RandomDocument {
       return random_.one_of(scope.vectors);
     }
     const int next = depth - 1;
-    switch (random_.below(8)) {
+    switch (random_.below(9)) {
+      case 7:
+        return group("0.5 * " + vector(scope, next) + " + " + tuple(scope, next) + " / 2");
       case 0:
         return group(vector(scope, next) + " * 0.5 + " + vector(scope, next) + " / 2");
       case 1:
@@ -293,17 +368,18 @@ class RandomDocument {
       case 6:
         return group("-" + vector(scope, next));
       default:
-        return call(scope, next, true);
+        return call(scope, next, Kind::Vector);
     }
   }
 
   /// Arguments are within the range that bodies are written for, and so are results.
-  std::string call(const Scope& scope, int depth, bool vector_result) {
+  std::string call(const Scope& scope, int depth, Kind result) {
     std::vector<Function> fitting;
     for (const Function& function : functions_) {
-      if (function.vector_result == vector_result) fitting.push_back(function);
+      if (function.result == result) fitting.push_back(function);
     }
-    if (fitting.empty()) return vector_result ? std::string("\\vec{n}") : real_leaf(scope);
+    if (fitting.empty() && result == Kind::Colour) return tuple(scope, depth);
+    if (fitting.empty()) return result == Kind::Vector ? std::string("\\vec{n}") : real_leaf(scope);
     const Function& function = random_.one_of(fitting);
     std::string text = function.name + "(";
     for (std::size_t i = 0; i < function.vector_parameters.size(); ++i) {

@@ -95,6 +95,16 @@ class RandomGraph {
     return {moved, low, high, any.error * (high - low) + 4};
   }
 
+  /// The same of a triple, component by component.
+  Ranged triple_within(double low, double high) {
+    const Ranged any = triple();
+    if (any.low >= low && any.high <= high) return any;
+    const ValueId sine = graph_.add(Op::Sin, {any.id});
+    const ValueId scaled = graph_.add(Op::Multiply, {graph_.constant((high - low) * 0.499), sine});
+    const ValueId moved = graph_.add(Op::Add, {graph_.constant((low + high) * 0.5), scaled});
+    return {moved, low, high, any.error * (high - low) + 4};
+  }
+
   /// `slope`: a bound on the derivative by any operand. Numbers are kept small, uncertain ones are not used.
   void push_real(ValueId id, double low, double high, double slope, std::initializer_list<Ranged> operands) {
     Ranged value{id, low, high, std::max(std::abs(low), std::abs(high)) + 1};
@@ -116,7 +126,7 @@ class RandomGraph {
   }
 
   void add_operation(bool may_reduce) {
-    switch (random_.below(may_reduce && options_.reductions ? 13 : 12)) {
+    switch (random_.below(may_reduce && options_.reductions ? 14 : 13)) {
       case 0:
         return add_sum_or_difference();
       case 1:
@@ -141,6 +151,8 @@ class RandomGraph {
         return add_constant();
       case 11:
         return add_function_of_angles();
+      case 12:
+        return add_operation_by_component();
       default:
         return add_reduction();
     }
@@ -213,18 +225,22 @@ class RandomGraph {
     double slope;
   };
 
-  void add_function_of_limited_argument() {
+  static const std::vector<LimitedFunction>& limited_functions() {
     static const std::vector<LimitedFunction> functions{
         {Op::Tan, -0.9, 0.9, -1.3, 1.3, 2.6},   {Op::Arcsin, -0.9, 0.9, -1.2, 1.2, 2.3},
         {Op::Arccos, -0.9, 0.9, 0.4, 2.7, 2.3}, {Op::Exp, -0.9, 0.9, 0.4, 2.5, 2.5},
         {Op::Sinh, -0.9, 0.9, -1.1, 1.1, 1.5},  {Op::Cosh, -0.9, 0.9, 1, 1.5, 1.1},
         {Op::Sqrt, 0.3, 6, 0.5, 2.5, 1},        {Op::Ln, 0.3, 6, -1.3, 1.8, 3.4},
     };
+    return functions;
+  }
+
+  void add_function_of_limited_argument() {
     if (random_.chance(0.1)) {
       const Ranged y = real_within(-0.9, 0.9), x = real_within(0.3, 6);
       return push_real(graph_.add(Op::Arctan2, {y.id, x.id}), -1.6, 1.6, 3.4, {y, x});
     }
-    const LimitedFunction& f = random_.one_of(functions);
+    const LimitedFunction& f = random_.one_of(limited_functions());
     const Ranged argument = real_within(f.from, f.to);
     push_real(graph_.add(f.op, {argument.id}), f.low, f.high, f.slope, {argument});
   }
@@ -320,6 +336,53 @@ class RandomGraph {
                          {a});
       default:
         return push_real(graph_.add(Op::Dot, {a.id, b.id}), -bound, bound, slope, {a, b});
+    }
+  }
+
+  /// What colours have beyond vectors.
+  void add_operation_by_component() {
+    const Ranged a = triple(), b = triple(), s = real();
+    const double bound = a.magnitude() * b.magnitude(), slope = std::max(a.magnitude(), b.magnitude());
+    switch (random_.below(8)) {
+      case 0:
+        return push_triple(graph_.add(Op::Multiply, {a.id, b.id}), -bound, bound, slope, {a, b});
+      case 1: {
+        const Ranged divisor = triple_within(0.5, 3);
+        const double largest = 2 * a.magnitude();
+        return push_triple(graph_.add(Op::Divide, {a.id, divisor.id}), -largest, largest, 2 + 2 * largest,
+                           {a, divisor});
+      }
+      case 2: {
+        const Ranged divisor = triple_within(0.5, 3);
+        const double largest = 2 * s.magnitude();
+        return push_triple(graph_.add(Op::Divide, {s.id, divisor.id}), -largest, largest, 2 + 2 * largest,
+                           {s, divisor});
+      }
+      case 3:
+        return push_triple(graph_.add(Op::Subtract, {s.id, a.id}), s.low - a.high, s.high - a.low, 1, {s, a});
+      case 4: {
+        const Ranged other = random_.chance(0.5) ? b : s;
+        const bool is_min = random_.chance(0.5);
+        const ValueId least = graph_.add(
+            is_min ? Op::Min : Op::Max, {random_.chance(0.5) ? a.id : other.id, random_.chance(0.5) ? other.id : a.id});
+        if (!is_triple(graph_.at(least).type)) return;
+        return push_triple(least, std::min(a.low, other.low), std::max(a.high, other.high), 1, {a, other});
+      }
+      case 5: {
+        const LimitedFunction& f = random_.one_of(limited_functions());
+        const Ranged argument = triple_within(f.from, f.to);
+        return push_triple(graph_.add(f.op, {argument.id}), f.low, f.high, f.slope, {argument});
+      }
+      case 6: {
+        const Ranged base = triple_within(0.3, 4);
+        const Ranged exponent = random_.chance(0.5) ? triple_within(-1.5, 1.5) : real_within(-1.5, 1.5);
+        return push_triple(graph_.add(Op::Power, {base.id, exponent.id}), 0, 15, 30, {base, exponent});
+      }
+      default: {
+        const Ranged base = triple_within(-1.2, 1.2);
+        const ValueId exponent = graph_.constant(random_.between(0, 9));
+        return push_triple(graph_.add(Op::Power, {base.id, exponent}), -6, 6, 40, {base});
+      }
     }
   }
 

@@ -35,10 +35,9 @@ class GraphReader {
   [[noreturn]] static void fail(const std::string& what) { throw std::runtime_error("graph text: " + what); }
 
   static Type type(const std::string& symbol) {
-    if (symbol == "ℝ") return Type::Real;
-    if (symbol == "ℝ³") return Type::Vector;
-    if (symbol == "𝔹") return Type::Boolean;
-    if (symbol == "?") return Type::Error;
+    for (Type type : {Type::Real, Type::Vector, Type::Colour, Type::Tuple, Type::Boolean, Type::Error}) {
+      if (type_symbol(type) == symbol) return type;
+    }
     fail("type " + symbol);
   }
 

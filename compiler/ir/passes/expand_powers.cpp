@@ -86,9 +86,14 @@ class PowerExpander {
     return index == 2 ? square_root(graph, radicand, false) : std::nullopt;
   }
 
+  static ValueId one_like(Graph& graph, ValueId base) {
+    const ValueId one = graph.constant(1);
+    return is_triple(graph.at(base).type) ? graph.add(Op::MakeVector, {one, one, one}) : one;
+  }
+
   /// By squaring, from the highest bit of the exponent down: x⁵ is (x²)²·x.
   static ValueId product(Graph& graph, ValueId base, uint32_t count) {
-    if (count == 0) return graph.constant(1);
+    if (count == 0) return one_like(graph, base);
     ValueId result = base;
     uint32_t bit = 1;
     while (bit * 2 <= count) bit *= 2;

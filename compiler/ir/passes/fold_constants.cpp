@@ -34,8 +34,8 @@ constexpr std::array kFunctions = {
     FunctionOfOne{Op::Tanh, [](double x) { return std::tanh(x); }},
 };
 
-/// The op's value, NaN where it has none or where the language has a rule beside the C library's: zero bases, bases and
-/// radicands below zero, arguments just beyond ±1. Those are left to the evaluator.
+/// The value of an elementwise op, NaN for another, or where it has none or where the language has a rule beside the C
+/// library's: zero bases, bases and radicands below zero, arguments just beyond ±1. Those are left to the evaluator.
 double plain_value(Op op, double a, double b) {
   if (op == Op::Negate) return -a;
   if (op == Op::Add) return a + b;
@@ -49,10 +49,6 @@ double plain_value(Op op, double a, double b) {
   const auto entry = std::find_if(kFunctions.begin(), kFunctions.end(),
                                   [op](const FunctionOfOne& candidate) { return candidate.op == op; });
   return entry == kFunctions.end() ? std::numeric_limits<double>::quiet_NaN() : entry->function(a);
-}
-
-bool is_elementwise(Op op) {
-  return op == Op::Negate || op == Op::Add || op == Op::Subtract || op == Op::Multiply || op == Op::Divide;
 }
 
 /// What is known of the conditions of a graph, by ValueId: there are no constants that are truths.
@@ -112,7 +108,6 @@ class Folder {
   }
 
   std::optional<ValueId> fold_vector(const Value& value, std::span<const ValueId> operands) {
-    if (!is_elementwise(value.op)) return std::nullopt;
     const auto a = constant_triple(operands.front());
     const auto b = constant_triple(operands.back());
     if (!a || !b) return std::nullopt;

@@ -169,7 +169,7 @@ TEST(Program, SaysWhyItCannotBeHad) {
       {{"a = 1"}, "no equation defines `f`"},
       {{"a = q", "f = a"}, "`f` cannot be used: it or something that it needs has an error"},
       {{"f = q + 1"}, "`f` cannot be used: it or something that it needs has an error"},
-      {{"a = q + 1", "b = a", "f = b"}, "`b` uses a name whose definition is missing or has errors"},
+      {{"a = q \\times q", "b = a", "f = b"}, "`b` uses a name whose definition is missing or has errors"},
       {{"g(x) = x + q", "f = \\sin(g(1))"}, "`f` cannot be used: it or something that it needs has an error"},
       {{"f(x) = x"}, "`f` is ℝ → ℝ, but a BRDF is ℝ or ℝ³, plain or a function of two vectors"},
   };

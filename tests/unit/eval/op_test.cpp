@@ -182,6 +182,48 @@ TEST(Op, OfRealsIsTheSameInBatches) {
   }
 }
 
+/// op(parameters…), of which those in `triples` are colours, and all that it takes component by component.
+Graph graph_of_colours(Op op, std::size_t operands, const std::set<uint32_t>& triples) {
+  Graph graph;
+  std::vector<ValueId> ids;
+  for (uint32_t i = 0; i < operands; ++i) {
+    ids.push_back(graph.leaf(Op::Parameter, triples.contains(i) ? Type::Colour : Type::Real, i));
+  }
+  graph.roots = {graph.add(op, ids)};
+  return graph;
+}
+
+TEST(Op, OfColoursIsThatOfTheirComponents) {
+  constexpr double kOther = 0.75;
+  for (const RealCase& c : kRealCases) {
+    if (c.op == Op::Arctan2) continue;
+    std::vector<std::set<uint32_t>> choices = {{0}};
+    if (c.operands.size() == 2) choices = {{0}, {1}, {0, 1}};
+    for (const std::set<uint32_t>& triples : choices) {
+      std::vector<Triple> parameters;
+      std::vector<double> others = c.operands;
+      for (uint32_t i = 0; i < c.operands.size(); ++i) {
+        const double x = c.operands[i];
+        if (triples.contains(i)) others[i] = kOther;
+        parameters.push_back(triples.contains(i) ? Triple{x, kOther, x} : Triple{x, 0, 0});
+      }
+      const Graph graph = graph_of_colours(c.op, c.operands.size(), triples);
+      ASSERT_TRUE(is_triple(graph.at(graph.roots[0]).type)) << describe(c);
+      const Triple exact = ReferenceEvaluator(graph).evaluate({}, parameters);
+      const ReferenceEvaluator of_reals(graph_of(c.op, c.operands.size()));
+      const Triple expected = {c.expected, of_reals.evaluate({}, as_parameters(others))[0], c.expected};
+      for (std::size_t i = 0; i < 3; ++i) EXPECT_PRED4(is_close, exact[i], expected[i], 4e-16, 0) << describe(c);
+      for (const Backend& backend : backends()) {
+        const BatchEvaluator batch(graph, backend.set, *backend.functions);
+        const Triple single = evaluate_batch(batch, {Geometry{}}, parameters)[0];
+        for (std::size_t i = 0; i < 3; ++i) {
+          EXPECT_PRED4(is_close, single[i], expected[i], 3e-7, 1e-7) << describe(c) << " on " << backend.name;
+        }
+      }
+    }
+  }
+}
+
 /// Reals of all sizes and signs, both zeros, infinities, NaN.
 std::vector<double> interesting_numbers() {
   std::vector<double> numbers = {0.0, kInfinity, kNotANumber};

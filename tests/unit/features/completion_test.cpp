@@ -288,7 +288,8 @@ TEST(Completion, DocumentsItsProposals) {
             "\\theta_i: ℝ = arccos(N·L)\n\npolar angle of the incident direction\n\nhere of the parameter \\omega_i\n\n"
             "a convention of the language");
   EXPECT_EQ(text(CompletionKind::Command, "\\sin", ""), "The sine of an angle in radians.");
-  EXPECT_EQ(text(CompletionKind::Command, "\\max(…, …)", ""), "The greatest of two or more reals.");
+  EXPECT_EQ(text(CompletionKind::Command, "\\max(…, …)", ""),
+            "The greatest of two or more reals; of colours by component.");
   EXPECT_EQ(text(CompletionKind::Definition, "gone", ""), "");
 }
 

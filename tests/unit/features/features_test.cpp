@@ -124,7 +124,7 @@ TEST(HoveredExpression, HasNoProgramWithoutArgumentsOrInError) {
   EXPECT_EQ(hovered_program(equation("f = @g(1)") + equation("g(x) = x * 2")), "no program");
   EXPECT_EQ(hovered_program(equation("f = g(1)") + equation("g(x) = x @* 2")), "no program");
   EXPECT_EQ(hovered_program(equation("f = @a") + equation("a = zq * 2")), "no program");
-  EXPECT_EQ(hovered_program(equation("f = 1 @+ a") + equation("a = f")), "no program");
+  EXPECT_EQ(hovered_program(equation("f = \\vec{n} @+ a") + equation("a = f")), "no program");
   EXPECT_EQ(hovered_program(equation("f = \\theta@_h")), "no expression");
 }
 

@@ -34,7 +34,12 @@ const TypeRule kTypeRules[] = {
     {"DotProduct", Op::Dot, {Type::Vector, Type::Colour}, Type::Real},
     {"DotProductOfReals", Op::Dot, {Type::Real, Type::Real}, Type::Error},
     {"CrossProduct", Op::Cross, {Type::Vector, Type::Vector}, Type::Vector},
-    {"PowerOfVector", Op::Power, {Type::Vector, Type::Real}, Type::Error},
+    {"PowerOfColour", Op::Power, {Type::Colour, Type::Real}, Type::Colour},
+    {"ColourAsExponent", Op::Power, {Type::Real, Type::Colour}, Type::Colour},
+    {"FunctionOfColour", Op::Exp, {Type::Colour}, Type::Colour},
+    {"MinimumOfColourAndReal", Op::Min, {Type::Colour, Type::Real}, Type::Colour},
+    {"FunctionOfBoolean", Op::Exp, {Type::Boolean}, Type::Error},
+    {"AngleOfColours", Op::Arctan2, {Type::Colour, Type::Colour}, Type::Error},
     {"Comparison", Op::Less, {Type::Real, Type::Real}, Type::Boolean},
     {"ComparisonOfVectors", Op::Equal, {Type::Vector, Type::Vector}, Type::Error},
     {"Junction", Op::And, {Type::Boolean, Type::Boolean}, Type::Boolean},
@@ -60,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(All, TypeRules, testing::ValuesIn(kTypeRules),
 TEST(Graph, RefusesOperandsThatDoNotFit) {
   Graph graph;
   const ValueId light = graph.convention(Convention::OmegaI);
-  EXPECT_THROW(graph.add(Op::Sin, {light}), InternalError);
+  EXPECT_THROW(graph.add(Op::Arctan2, {light, light}), InternalError);
   EXPECT_THROW(graph.convention(Convention::ThetaI, std::vector{light}), InternalError);
 }
 

@@ -55,17 +55,20 @@ TEST(ParameterLiteral, HasARangeThatContainsItsValue) {
 }
 
 TEST(ParameterLiteral, ReadsColours) {
-  const Read found = read("c = \\vec{0.25, 0, +1}");
-  ASSERT_TRUE(found.literal);
-  EXPECT_EQ(found.literal->type, Type::Colour);
-  EXPECT_EQ(found.literal->value, (std::array<double, 3>{0.25, 0, 1}));
-  EXPECT_EQ(found.literal->minimum, 0);
-  EXPECT_EQ(found.literal->maximum, 1);
+  for (const char* equation : {"c = \\vec{0.25, 0, +1}", "c = (0.25, 0, +1)"}) {
+    const Read found = read(equation);
+    ASSERT_TRUE(found.literal) << equation;
+    EXPECT_EQ(found.literal->type, Type::Colour) << equation;
+    EXPECT_EQ(found.literal->value, (std::array<double, 3>{0.25, 0, 1})) << equation;
+    EXPECT_EQ(found.literal->minimum, 0) << equation;
+    EXPECT_EQ(found.literal->maximum, 1) << equation;
+  }
 }
 
 TEST(ParameterLiteral, IsNothingElse) {
-  for (const char* equation : {"m = 0.13 % constant", "m = 1 + 2", "g(x) = 2", "c = \\vec{0, 0, 2}",
-                               "c = \\vec{0, -0.5, 1}", "m = (2)", "m = q", "m = 1e999"}) {
+  for (const char* equation :
+       {"m = 0.13 % constant", "m = 1 + 2", "g(x) = 2", "c = \\vec{0, 0, 2}", "c = \\vec{0, -0.5, 1}",
+        "c = (0, 0, 1.1)", "c = (0, 0, q)", "c = (0, 1)", "m = (2)", "m = q", "m = 1e999"}) {
     EXPECT_FALSE(read(equation).literal) << equation;
   }
   EXPECT_TRUE(read("m = 2 % constant in most papers").literal);

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <array>
+#include <string_view>
+
 #include "semantics/conventions.h"
 #include "semantics/operator_rules.h"
 #include "semantics/types.h"
@@ -10,63 +13,71 @@ namespace {
 TEST(Types, AreShownAsPeopleWriteThem) {
   EXPECT_EQ(type_symbol(Type::Real), "ℝ");
   EXPECT_EQ(type_symbol(Type::Vector), "ℝ³");
-  EXPECT_EQ(type_symbol(Type::Colour), "ℝ³");
+  EXPECT_EQ(type_symbol(Type::Colour), "RGB");
+  EXPECT_EQ(type_symbol(Type::Tuple), "ℝ³/RGB");
   EXPECT_EQ(type_components(Type::Vector), 3u);
   EXPECT_EQ(signature_text({.is_function = false, .parameters = {}, .result = Type::Vector}), "ℝ³");
   EXPECT_EQ(signature_text({.is_function = true, .parameters = {Type::Real, Type::Vector}, .result = Type::Vector}),
             "ℝ × ℝ³ → ℝ³");
 }
 
-// All that is legal; every other pair of real and vector is an error.
+constexpr auto kValues = std::to_array<Type>({Type::Real, Type::Vector, Type::Colour, Type::Tuple});
+
+// By the types left and right in the order of kValues, what the operator gives: R, V, C, T, or - for an error.
+struct Grid {
+  Operator op;
+  std::string_view rows[kValues.size()];
+
+  std::optional<Type> at(size_t left, size_t right) const {
+    const size_t type = std::string_view("RVCT").find(rows[left][right]);
+    return type == std::string_view::npos ? std::nullopt : std::optional(kValues[type]);
+  }
+};
+
+constexpr auto kGrids = std::to_array<Grid>({
+    {Operator::Plus, {"R-CC", "-V-V", "C-CC", "CVCT"}},
+    {Operator::Minus, {"R-CC", "-V-V", "C-CC", "CVCT"}},
+    {Operator::Multiply, {"RVCT", "VR-R", "C-CC", "TRCC"}},
+    {Operator::SideBySide, {"RVCT", "V---", "C-CC", "T-CC"}},
+    {Operator::Divide, {"R-CC", "V---", "C-CC", "T-CC"}},
+    {Operator::Cross, {"----", "-V-V", "----", "-V-V"}},
+    {Operator::Power, {"R-CC", "----", "C-CC", "C-CC"}},
+});
+
 TEST(OperatorRules, AreThoseOfTheLanguage) {
-  struct Legal {
-    Operator op;
-    Type left, right, result;
-  };
-  using enum Type;
-  using enum Operator;
-  const Legal legal[] = {
-      {Plus, Real, Real, Real},         {Plus, Vector, Vector, Vector},   {Minus, Real, Real, Real},
-      {Minus, Vector, Vector, Vector},  {Multiply, Real, Real, Real},     {Multiply, Real, Vector, Vector},
-      {Multiply, Vector, Real, Vector}, {Multiply, Vector, Vector, Real}, {Divide, Real, Real, Real},
-      {Divide, Vector, Real, Vector},   {Cross, Vector, Vector, Vector},  {Power, Real, Real, Real}};
-  for (Operator op : {Plus, Minus, Multiply, Divide, Cross, Power}) {
-    for (Type left : {Real, Vector}) {
-      for (Type right : {Real, Vector}) {
-        std::optional<Type> expected;
-        for (const Legal& rule : legal) {
-          if (rule.op == op && rule.left == left && rule.right == right) expected = rule.result;
-        }
-        EXPECT_EQ(result(op, left, right), expected);
-        EXPECT_EQ(results(op, left, right).empty(), !expected.has_value());
+  for (const Grid& grid : kGrids) {
+    for (size_t left = 0; left < kValues.size(); ++left) {
+      for (size_t right = 0; right < kValues.size(); ++right) {
+        const std::optional<Type> expected = grid.at(left, right);
+        EXPECT_EQ(result(grid.op, kValues[left], kValues[right]), expected);
+        EXPECT_EQ(results(grid.op, kValues[left], kValues[right]), expected ? TypeSet(*expected) : TypeSet());
       }
-      EXPECT_EQ(results(op, left, Type::Error), TypeSet(Type::Error));
-      EXPECT_EQ(results(op, Type::Error, left), TypeSet(Type::Error));
+      EXPECT_EQ(results(grid.op, kValues[left], Type::Error), TypeSet(Type::Error));
+      EXPECT_EQ(results(grid.op, Type::Error, kValues[left]), TypeSet(Type::Error));
     }
   }
 }
 
 TEST(OperatorRules, GiveTheResultThatEveryTypeOfAnUnknownOperandHas) {
-  const Type operands[] = {Type::Real, Type::Vector};
-  const auto common = [&](Operator op, Type left, Type right) {
+  const auto common = [&](const Grid& grid, Type left, Type right) {
     TypeSet found;
-    for (Type a : operands) {
-      for (Type b : operands) {
-        const bool is_reading = (left == Type::Error || left == a) && (right == Type::Error || right == b);
-        const std::optional<Type> type = is_reading ? result(op, a, b) : std::nullopt;
+    for (size_t a = 0; a < kValues.size(); ++a) {
+      for (size_t b = 0; b < kValues.size(); ++b) {
+        const bool is_left = left == Type::Error || left == kValues[a];
+        const bool is_right = right == Type::Error || right == kValues[b];
+        const std::optional<Type> type = is_left && is_right ? grid.at(a, b) : std::nullopt;
         if (type) found = found | *type;
       }
     }
-    for (Type type : operands) {
+    for (Type type : kValues) {
       if (found == TypeSet(type)) return type;
     }
     return Type::Error;
   };
-  for (Operator op :
-       {Operator::Plus, Operator::Minus, Operator::Multiply, Operator::Divide, Operator::Cross, Operator::Power}) {
-    for (Type known : {Type::Error, Type::Real, Type::Vector}) {
-      EXPECT_EQ(result(op, known, Type::Error), common(op, known, Type::Error));
-      EXPECT_EQ(result(op, Type::Error, known), common(op, Type::Error, known));
+  for (const Grid& grid : kGrids) {
+    for (Type known : {Type::Error, Type::Real, Type::Vector, Type::Colour, Type::Tuple}) {
+      EXPECT_EQ(result(grid.op, known, Type::Error), common(grid, known, Type::Error));
+      EXPECT_EQ(result(grid.op, Type::Error, known), common(grid, Type::Error, known));
     }
   }
 }

@@ -57,6 +57,7 @@ constexpr Case kPrecedence[] = {
     {"a = x^{(k-1)}", "a=(x^(k-1))"},
     {"a = x^\\text{name}", "a=(x^\\text{name})"},
     {"a = {1+2}*3", "a=((1+2)*3)"},
+    {"a = (1, -b + 2, c)^2(d, e)", "a=(((1,((-b)+2),c)^2)*(d,e))"},
     {"a = \\frac{a}{b}^2", "a=((a/b)^2)"},
     {"a = \\frac{1+2}{3}", "a=((1+2)/3)"},
     {"a = \\sqrt[n]{x}", "a=\\sqrt[n](x)"},
