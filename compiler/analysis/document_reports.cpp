@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "analysis/snapshot_state.h"
+#include "analysis/tuple_fix.h"
 #include "semantics/nearest_name.h"
 
 namespace texbrdf {
@@ -12,6 +13,9 @@ namespace {
 // Reading the diagnostics stays quick in a document where everything is undefined: names beyond it get no suggestion.
 constexpr size_t kMaxSuggestions = 50;
 constexpr uint64_t kMaxParameterSteps = 100'000;
+
+// Each takes a walk over its definition.
+constexpr size_t kMaxTupleFixes = 50;
 
 constexpr size_t kMaxToldOfCycle = 12;
 
@@ -118,8 +122,15 @@ class Collector {
     if (all_.size() > first) suggestions_.enter(checked);
     for (size_t i = first; i < all_.size(); ++i) {
       if (all_[i].diagnostic.code == Code::UndefinedName) suggestions_.add_to(all_[i].diagnostic);
+      add_tuple_fix(definition, all_[i].diagnostic);
     }
     report_definition(definition);
+  }
+
+  void add_tuple_fix(const LocatedDefinition& definition, Diagnostic& problem) {
+    if (!may_want_tuple(problem.code) || tuple_fixes_ >= kMaxTupleFixes) return;
+    ++tuple_fixes_;
+    if (std::optional<Fix> fix = tuple_fix(state_, definition, problem)) problem.fixes.push_back(*std::move(fix));
   }
 
   void report_definition(const LocatedDefinition& definition) {
@@ -157,6 +168,7 @@ class Collector {
 
   const Snapshot::State& state_;
   Suggestions suggestions_;
+  size_t tuple_fixes_ = 0;
   std::vector<Report> all_;
 };
 
