@@ -113,25 +113,19 @@ void spell(std::string_view latex, Words& words) {
   words.close();
 }
 
-std::string_view decoration_word(Decoration decoration) {
-  switch (decoration) {
-    case Decoration::None:
-      return "";
-    case Decoration::Vec:
-      return "vec";
-    case Decoration::Text:
-      return "text";
-    case Decoration::Roman:
-      return "roman";
-  }
-  return "";
+std::string_view decoration_word(const Name& name) {
+  if (name.is_vector()) return "vec";
+  return name.is_text ? "text" : "";
 }
 
 }  // namespace
 
 std::string identifier(const Name& name) {
   Words words;
-  spell(name.base.empty() && !name.inner.empty() ? name.inner.front() : name.base, words);
+  spell(name.base, words);
+  for (const std::string& decoration : name.decorations) {
+    if (decoration != "vec") words.whole(decoration);
+  }
   for (const std::string& subscript : name.subscripts) spell(subscript, words);
   for (uint32_t i = 0; i < name.primes && i < 3; ++i) words.whole("prime");
   std::string text = words.take();
@@ -148,7 +142,7 @@ bool Namer::free(std::string_view name) const {
 
 std::string Namer::claim(const Name& wanted) {
   std::string first = identifier(wanted);
-  std::string_view decoration = decoration_word(wanted.decoration);
+  std::string_view decoration = decoration_word(wanted);
   if (taken_.contains(first) && !decoration.empty()) {
     std::string decorated = first + "_" + std::string(decoration);
     if (free(decorated)) first = std::move(decorated);

@@ -20,25 +20,24 @@ struct NameId {
   friend constexpr auto operator<=>(const NameId&, const NameId&) = default;
 };
 
-/// What is written around a name and is part of it.
-enum class Decoration : uint8_t { None, Vec, Text, Roman };
-
-/// A name as a reader sees it: \vec{\omega_i} is (vec, \omega, [i]), and so is \vec{\omega}_i. The one place that
-/// decides which spellings are the same name is `canonical_form`.
+/// A name as a reader sees it: \vec{\omega_i} is (vec, \omega, [i]), and so are \vec{\omega}_i and \mathbf\omega_i. The
+/// one place that decides which spellings are the same name is `canonical_form`.
 struct Name {
   std::string base;         ///< "rho" of \rho, "val", "cook_torrance" of \text{cook\_torrance}
   bool is_command = false;  ///< the base is written with a backslash
-  Decoration decoration = Decoration::None;
-  std::vector<std::string> inner;       ///< for Vec: canonical form of what it decorates (one element), else empty
+  bool is_text = false;     ///< the base is written as \text{…}, \mathrm{…} …
+  /// The decorations around it, outermost first: "vec" for all that make a vector's name, else as written ("bar").
+  std::vector<std::string> decorations;
   std::vector<std::string> subscripts;  ///< canonical forms without braces, in order
-  uint32_t subscripts_inside = 0;       ///< for Vec: how many of them `inner` holds
   uint32_t primes = 0;
+
+  bool is_vector() const { return !decorations.empty() && decorations.front() == "vec"; }
 };
 
 /// The structure of a Name node.
 Name read_name(const ParsedBlock& block, NodeId id);
-/// Equal for equal names, and itself a valid spelling of the name: `\phi_{\text{diff}}`, `x_1`, `\vec{n}`. The
-/// spellings of one convention are one name: `\vec{\omega_i}` gives `\omega_i`.
+/// Equal for equal names, and itself a valid spelling of the name: `\phi_{diff}`, `x_1`, `\vec{n}`. The spellings of
+/// one convention are one name: `\vec{\omega_i}` gives `\omega_i`.
 std::string canonical_form(const Name& name);
 
 /// The canonical form of a name as a person types it: `x_{1}` gives `x_1`, `\vec{n}` gives `\vec{n}`. Nothing where it

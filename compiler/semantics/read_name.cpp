@@ -6,121 +6,82 @@
 namespace texbrdf {
 namespace {
 
-struct Subscript {
-  std::string text;
-  uint32_t end;  // the token behind it
+/// Reads the tokens of a name, of which the parser has seen that they are one.
+class NameReader {
+ public:
+  NameReader(const ParsedBlock& block, uint32_t first, uint32_t end) : block_(block), token_(first), end_(end) {}
+
+  Name read() {
+    read_decorated();
+    return std::move(name_);
+  }
+
+ private:
+  bool at_end() const { return token_ >= end_; }
+  TokenKind kind() const { return at_end() ? TokenKind::End : block_.tokens[token_].kind; }
+
+  /// Decorations and braces may alternate; all that is behind the base belongs to it, wherever a brace closes.
+  void read_decorated() {
+    for (; kind() == TokenKind::Vec || kind() == TokenKind::Accent || kind() == TokenKind::OpenBrace ||
+           is_layout(kind());
+         ++token_) {
+      if (kind() == TokenKind::Vec || kind() == TokenKind::Accent) add_decoration();
+    }
+    if (!at_end()) read_base();
+    while (!at_end()) read_behind_base();
+  }
+
+  /// One vector's decoration in another says nothing more.
+  void add_decoration() {
+    const std::string_view decoration = decoration_name(block_, token_);
+    const bool is_double = !name_.decorations.empty() && decoration == "vec" && name_.decorations.back() == decoration;
+    if (!is_double) name_.decorations.emplace_back(decoration);
+  }
+
+  void read_base() {
+    const std::string_view text = block_.token_text(token_);
+    name_.is_text = kind() == TokenKind::Text;
+    name_.is_command = kind() == TokenKind::Macro;
+    if (name_.is_text) {
+      name_.base = read_text_token(text);
+    } else {
+      name_.base = name_.is_command ? text.substr(1) : text;
+    }
+    ++token_;
+  }
+
+  void read_behind_base() {
+    if (kind() == TokenKind::Prime) ++name_.primes;
+    if (kind() != TokenKind::Underscore) {
+      ++token_;
+      return;
+    }
+    const uint32_t first = token_ + 1;
+    token_ = behind_argument(block_, first, end_);
+    name_.subscripts.push_back(normal_tokens(block_, first, token_));
+  }
+
+  const ParsedBlock& block_;
+  uint32_t token_;
+  uint32_t end_;
+  Name name_;
 };
 
-// `token` is the underscore.
-Subscript read_subscript(const ParsedBlock& block, uint32_t token, uint32_t end) {
-  const uint32_t first = token + 1;
-  if (first >= end) return {{}, end};
-  switch (block.tokens[first].kind) {
-    case TokenKind::OpenBrace: {
-      const uint32_t behind = behind_closer(block, first, end);
-      return {normal_tokens(block, first, behind), behind};
-    }
-    case TokenKind::Vec: {
-      const uint32_t behind = behind_closer(block, std::min(first + 1, end), end);
-      return {normal_tokens(block, first, behind), behind};
-    }
-    default:
-      return {normal_tokens(block, first, first + 1), first + 1};
-  }
-}
-
-void read_base(const ParsedBlock& block, uint32_t token, Name& name) {
-  const std::string_view text = block.token_text(token);
-  switch (block.tokens[token].kind) {
-    case TokenKind::Text: {
-      TextToken read = read_text_token(text);
-      name.decoration = read.is_roman ? Decoration::Roman : Decoration::Text;
-      name.base = std::move(read.content);
-      break;
-    }
-    case TokenKind::Macro:
-      name.is_command = true;
-      name.base = text.substr(1);
-      break;
-    default:
-      name.base = text;
-      break;
-  }
-}
-
-Name read_tokens(const ParsedBlock& block, uint32_t first, uint32_t end);
-
-uint32_t read_vec(const ParsedBlock& block, uint32_t vec, uint32_t end, Name& name) {
-  const uint32_t open = vec + 1;
-  const uint32_t behind = behind_closer(block, open, end);
-  // Decorations in decorations are told by their spelling alone: only the innermost name is read.
-  uint32_t first = open + 1;
-  uint32_t last = behind > first ? behind - 1 : first;
-  uint32_t depth = 1;
-  while (first + 1 < last && block.tokens[first].kind == TokenKind::Vec) {
-    first += 2;
-    ++depth;
-  }
-  const uint32_t innermost_end = depth == 1 ? last : behind_closer(block, first - 1, last) - 1;
-  name = read_tokens(block, first, std::max(first, innermost_end));
-  name.inner = {depth == 1 ? canonical_form(name) : normal_tokens(block, open + 1, last)};
-  name.decoration = Decoration::Vec;
-  name.subscripts_inside = static_cast<uint32_t>(name.subscripts.size());
-  return behind;
-}
-
-// A subscript behind \vec{x} belongs to what is decorated: \vec{x}_1 is \vec{x_1}.
-void move_subscript_inside(Name& name) {
-  if (name.decoration != Decoration::Vec || name.subscripts_inside > 0 || name.subscripts.empty()) return;
-  name.inner.front() += subscript_suffix(name.subscripts.front());
-  name.subscripts_inside = 1;
-}
-
-Name read_tokens(const ParsedBlock& block, uint32_t first, uint32_t end) {
-  Name name;
-  if (first >= end) return name;
-  uint32_t token = first;
-  if (block.tokens[first].kind == TokenKind::Vec && first + 1 < end) {
-    token = read_vec(block, first, end, name);
-  } else {
-    read_base(block, first, name);
-    ++token;
-  }
-  while (token < end && block.tokens[token].kind == TokenKind::Underscore) {
-    Subscript subscript = read_subscript(block, token, end);
-    name.subscripts.push_back(std::move(subscript.text));
-    token = subscript.end;
-  }
-  move_subscript_inside(name);
-  return name;
-}
-
-std::string undecorated_base(const Name& name) {
-  switch (name.decoration) {
-    case Decoration::Text:
-      return spell_text({false, name.base});
-    case Decoration::Roman:
-      return spell_text({true, name.base});
-    case Decoration::None:
-    case Decoration::Vec:
-      break;
-  }
+std::string spelled_base(const Name& name) {
+  if (name.is_text) return spell_text(name.base);
   return name.is_command ? "\\" + name.base : name.base;
 }
 
+/// The first subscript stands inside all decorations, as in \vec{x_1}; further ones one brace farther out each.
 std::string spelled(const Name& name) {
   std::string text;
-  size_t next = 0;
-  if (name.decoration == Decoration::Vec) {
-    const bool has_inner = !name.inner.empty();
-    text = "\\vec{" + (has_inner ? name.inner.front() : undecorated_base(name));
-    if (has_inner) next = name.subscripts_inside;
-    if (!has_inner && !name.subscripts.empty()) text += subscript_suffix(name.subscripts[next++]);
-    text += '}';
-  } else {
-    text = undecorated_base(name);
+  for (const std::string& decoration : name.decorations) text.append("\\").append(decoration) += '{';
+  text += spelled_base(name);
+  const size_t levels = std::max(name.subscripts.size(), name.decorations.size());
+  for (size_t level = 0; level < levels; ++level) {
+    if (level < name.subscripts.size()) text += subscript_suffix(name.subscripts[level]);
+    if (level < name.decorations.size()) text += '}';
   }
-  for (; next < name.subscripts.size(); ++next) text += subscript_suffix(name.subscripts[next]);
   return text.append(name.primes, '\'');
 }
 
@@ -128,7 +89,7 @@ std::string spelled(const Name& name) {
 
 Name read_name(const ParsedBlock& block, NodeId id) {
   const Node& node = block.tree.node(id);
-  return read_tokens(block, node.first_token, node.end_token);
+  return NameReader(block, node.first_token, node.end_token).read();
 }
 
 std::string shown_name(std::string_view canonical) {

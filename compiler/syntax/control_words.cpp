@@ -7,12 +7,19 @@
 namespace texbrdf {
 namespace {
 
+/// Of words that make a token by themselves.
+constexpr TokenKind token_of(WordMeaning meaning) {
+  const bool is_accent = meaning == WordMeaning::Accent || meaning == WordMeaning::AccentDeclaration;
+  return is_accent ? TokenKind::Accent : TokenKind::Vec;
+}
+
 constexpr ControlWord kWords[] = {
 #define COMMAND(name, spelling, category) \
   ControlWord{spelling, WordMeaning::Command, TokenKind::category, Command::name},
 #include "syntax/commands.def"
 #undef COMMAND
-#define CONTROL_WORD(spelling, meaning) ControlWord{spelling, WordMeaning::meaning, TokenKind::Unknown, Command::None},
+#define CONTROL_WORD(spelling, meaning) \
+  ControlWord{spelling, WordMeaning::meaning, token_of(WordMeaning::meaning), Command::None},
 #define CONTROL_TOKEN(spelling, kind) ControlWord{spelling, WordMeaning::Token, TokenKind::kind, Command::None},
 #include "syntax/control_words.def"
 #undef CONTROL_TOKEN
@@ -23,7 +30,7 @@ constexpr ControlWord kName;
 
 constexpr size_t kSlots = 512;
 constexpr uint8_t kEmpty = 255;
-static_assert(std::size(kWords) * 2 < kSlots);
+static_assert(std::size(kWords) * 2 < kSlots && std::size(kWords) < kEmpty);
 
 constexpr size_t slot_of(std::string_view word) {
   const auto first = static_cast<unsigned char>(word.front());

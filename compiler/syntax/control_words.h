@@ -12,12 +12,17 @@ enum class WordMeaning : uint8_t {
   Command,           ///< an operator or function of commands.def
   Nothing,           ///< no token
   NothingWithGroup,  ///< no token, nor the brace group behind it
-  Text,              ///< with the brace group behind it one token
-  Token,             ///< one token of the entry's kind
-  Delimiter,         ///< \left: no token, nor the `.` behind it
-  Environment,       ///< \begin
-  EnvironmentEnd,    ///< \end
-  Verbatim,          ///< \verb
+  Text,              ///< with the brace group or the letter behind it one token
+  TextDeclaration,   ///< `{\rm …}` is one token; by itself none
+  Vec,
+  VecDeclaration,  ///< as Vec, but over a whole word
+  Accent,
+  AccentDeclaration,
+  Token,           ///< one token of the entry's kind
+  Delimiter,       ///< \left: no token, nor the `.` behind it
+  Environment,     ///< \begin
+  EnvironmentEnd,  ///< \end
+  Verbatim,        ///< \verb
 };
 
 struct ControlWord {

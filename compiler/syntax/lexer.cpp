@@ -31,6 +31,7 @@ struct CharacterTable {
     symbol('/', TokenKind::Divide);
     symbol('^', TokenKind::Caret);
     symbol('_', TokenKind::Underscore);
+    symbol('\'', TokenKind::Prime);
     symbol('=', TokenKind::Equals);
     symbol(',', TokenKind::Comma);
     symbol(';', TokenKind::Comma);
@@ -136,6 +137,7 @@ class Lexer {
       case CharacterClass::Dot:
         return digit_follows(at_ + 1) ? lex_number() : lex_unknown();
       case CharacterClass::Symbol:
+        if (current() == '{' && lex_text_declaration()) return;
         ++at_;
         return push(symbol_kind(text_[begin]), begin, at_);
       case CharacterClass::Backslash:
@@ -198,8 +200,15 @@ class Lexer {
       case WordMeaning::Name:
       case WordMeaning::Command:
       case WordMeaning::Token:
+      case WordMeaning::VecDeclaration:
+      case WordMeaning::AccentDeclaration:
         return push(word.kind, begin, at_, word.command);
+      case WordMeaning::Vec:
+      case WordMeaning::Accent:
+        push(word.kind, begin, at_, word.command);
+        return lex_decorated_letter();
       case WordMeaning::Nothing:
+      case WordMeaning::TextDeclaration:
         return;
       case WordMeaning::NothingWithGroup:
         return skip_meaningless_group();
@@ -255,11 +264,45 @@ class Lexer {
     at_ = end.value_or(behind_word);
   }
 
+  /// `\text{…}`, or `\mathrm d`, which takes one letter.
   void lex_text(uint32_t begin) {
+    if (at('*')) ++at_;
     const uint32_t behind_word = at_;
-    const std::optional<uint32_t> end = end_of_group();
+    std::optional<uint32_t> end = end_of_group();
+    const uint32_t argument = behind_spaces(at_);
+    if (!end && is_letter_at(argument)) end = argument + 1;
     at_ = end.value_or(behind_word);
     push(end ? TokenKind::Text : TokenKind::Unknown, begin, at_);
+  }
+
+  /// `{\rm …}` around nothing but characters; at_ is the brace.
+  bool lex_text_declaration() {
+    const uint32_t command = behind_spaces(at_ + 1);
+    if (command >= text_.size() || text_[command] != '\\') return false;
+    uint32_t end = command + 1;
+    while (is_letter_at(end)) ++end;
+    if (find_control_word(text_.substr(command + 1, end - command - 1)).meaning != WordMeaning::TextDeclaration) {
+      return false;
+    }
+    const size_t close = text_.find_first_of("{}\\%", end);
+    if (close == std::string_view::npos || text_[close] != '}' || behind_spaces(end) == close) return false;
+    push(TokenKind::Text, at_, static_cast<uint32_t>(close) + 1);
+    at_ = static_cast<uint32_t>(close) + 1;
+    return true;
+  }
+
+  /// `\mathbf nl` is a bold n, and l behind it.
+  void lex_decorated_letter() {
+    const uint32_t letter = behind_spaces(at_);
+    if (!is_letter_at(letter)) return;
+    push(TokenKind::Word, letter, letter + 1);
+    at_ = letter + 1;
+  }
+
+  bool is_letter_at(uint32_t at) const { return at < text_.size() && class_of(text_[at]) == CharacterClass::Letter; }
+  uint32_t behind_spaces(uint32_t at) const {
+    while (at < text_.size() && class_of(text_[at]) == CharacterClass::Space) ++at;
+    return at;
   }
 
   /// The end of the brace group that follows after spaces, if one follows and is closed. One that holds `\begin` or

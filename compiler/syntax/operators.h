@@ -31,9 +31,9 @@ constexpr std::array<TokenRole, 256> make_token_roles() {
 #undef INFIX
 #undef PREFIX
   for (const TokenKind kind :
-       {TokenKind::Number, TokenKind::Word, TokenKind::Macro, TokenKind::Text, TokenKind::Vec, TokenKind::Function,
-        TokenKind::Extremum, TokenKind::Frac, TokenKind::Sqrt, TokenKind::OpenParen, TokenKind::OpenBrace,
-        TokenKind::OpenBracket, TokenKind::OpenSet}) {
+       {TokenKind::Number, TokenKind::Word, TokenKind::Macro, TokenKind::Text, TokenKind::Vec, TokenKind::Accent,
+        TokenKind::Function, TokenKind::Extremum, TokenKind::Frac, TokenKind::Sqrt, TokenKind::OpenParen,
+        TokenKind::OpenBrace, TokenKind::OpenBracket, TokenKind::OpenSet}) {
     roles[static_cast<size_t>(kind)].begins_operand = true;
   }
   return roles;

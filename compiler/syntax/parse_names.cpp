@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "syntax/parser.h"
 
 namespace texbrdf {
@@ -17,6 +19,8 @@ bool is_subscript_token(TokenKind kind) {
     case TokenKind::Cross:
       return true;
     case TokenKind::Vec:
+    case TokenKind::Accent:
+    case TokenKind::Prime:
     case TokenKind::Frac:
     case TokenKind::Sqrt:
     case TokenKind::Divide:
@@ -47,6 +51,10 @@ bool is_plain_name(TokenKind kind) {
   return kind == TokenKind::Word || kind == TokenKind::Macro || kind == TokenKind::Text;
 }
 
+bool is_decoration(TokenKind kind) {
+  return kind == TokenKind::Vec || kind == TokenKind::Accent;
+}
+
 }  // namespace
 
 Parser::Part Parser::parse_name_leaf() {
@@ -68,16 +76,20 @@ Parser::Part Parser::parse_name_or_call() {
 
 bool Parser::parse_name() {
   const bool base = parse_name_base();
-  return parse_subscripts() && base;
+  parse_primes();
+  const bool subscripts = parse_subscripts();
+  parse_primes();
+  return subscripts && base;
 }
 
 bool Parser::parse_name_base() {
-  if (at(TokenKind::Vec)) return parse_vec_name();
+  if (is_decoration(kind())) return parse_decorated_name();
+  if (at(TokenKind::OpenBrace)) return parse_decorated_group();
   const uint32_t token = position_;
   if (at(TokenKind::Text)) {
     const std::string_view text = block_.token_text(token);
     const size_t open = text.find('{');
-    if (text.find_first_not_of(" \t\r\n", open + 1) == text.size() - 1) {
+    if (open != std::string_view::npos && text.find_first_not_of(" \t\r\n", open + 1) == text.size() - 1) {
       report(Code::EmptyText, token, {std::string(text.substr(0, open))});
       advance();
       return false;
@@ -87,19 +99,32 @@ bool Parser::parse_name_base() {
   return true;
 }
 
-/// `\vec{name}`, or `\vec` and one token as TeX reads it.
-bool Parser::parse_vec_name() {
-  const uint32_t vec = advance();
+/// `\vec{name}`, or `\vec` and one token as TeX reads it; also `\hat\mathbf{n}`.
+bool Parser::parse_decorated_name() {
+  const uint32_t decoration = advance();
   if (is_plain_name(kind())) return parse_name_base();
-  if (!at(TokenKind::OpenBrace)) {
-    report(Code::MissingGroup, position_, {"{", shown(vec, vec + 1), describe(position_)});
+  if (at(TokenKind::OpenBrace)) return parse_decorated_group();
+  if (depth_ >= kMaxTreeHeight) {
+    report_too_deep(position_);
     return false;
   }
+  if (!is_decoration(kind())) {
+    report(Code::MissingGroup, position_, {"{", shown(decoration, decoration + 1), describe(position_)});
+    return false;
+  }
+  ++depth_;
+  const bool readable = parse_decorated_name();
+  --depth_;
+  return readable;
+}
+
+/// The name in the braces behind a decoration, or of `{\bf n}`.
+bool Parser::parse_decorated_group() {
   const uint32_t opener = advance();
   bool readable = false;
   if (depth_ >= kMaxTreeHeight) {
     report_too_deep(position_);
-  } else if (is_plain_name(kind()) || at(TokenKind::Vec)) {
+  } else if (is_plain_name(kind()) || is_decoration(kind()) || at(TokenKind::OpenBrace)) {
     ++depth_;
     readable = parse_name();
     --depth_;
@@ -107,6 +132,57 @@ bool Parser::parse_vec_name() {
     report_expected(Code::ExpectedName);
   }
   return close(opener) && readable;
+}
+
+void Parser::parse_primes() {
+  while (primes_begin()) {
+    if (at(TokenKind::Caret)) advance();
+    const bool in_braces = at(TokenKind::OpenBrace);
+    do advance();
+    while (at(TokenKind::Prime));
+    if (in_braces) advance();
+  }
+}
+
+/// `'`, `^\prime` or `^{\prime\prime}`.
+bool Parser::primes_begin() const {
+  if (at(TokenKind::Prime)) return true;
+  if (!at(TokenKind::Caret)) return false;
+  uint32_t token = position_ + 1;
+  if (tokens_[token].kind != TokenKind::OpenBrace) return tokens_[token].kind == TokenKind::Prime;
+  do ++token;
+  while (tokens_[token].kind == TokenKind::Prime);
+  return token > position_ + 2 && tokens_[token].kind == TokenKind::CloseBrace;
+}
+
+/// `{\bf n}`, `{\mathbf{n}}` or `{\hat n_i}`: braces around one decorated name and nothing else. Around a `\vec` they
+/// only group, and in the place of an exponent they are those of the power.
+bool Parser::decorated_group_begins() const {
+  if (position_ > 0 && tokens_[position_ - 1].kind == TokenKind::Caret) return false;
+  constexpr uint32_t kLongest = 32;
+  const uint32_t end = std::min(position_ + kLongest, end_);
+  uint32_t token = position_ + 1;
+  if (!is_decoration(tokens_[token].kind) || block_.slice(tokens_[token].span) == "\\vec") return false;
+  uint32_t open = 1;
+  for (; token < end && (is_decoration(tokens_[token].kind) || tokens_[token].kind == TokenKind::OpenBrace); ++token) {
+    if (tokens_[token].kind == TokenKind::OpenBrace) ++open;
+  }
+  if (token >= end || !is_plain_name(tokens_[token].kind)) return false;
+  uint32_t in_subscript = 0;
+  for (++token; token < end; ++token) {
+    const TokenKind here = tokens_[token].kind;
+    const bool is_subscript = tokens_[token - 1].kind == TokenKind::Underscore;
+    if (here == TokenKind::OpenBrace && (is_subscript || in_subscript > 0)) {
+      ++in_subscript;
+    } else if (here == TokenKind::CloseBrace && in_subscript > 0) {
+      --in_subscript;
+    } else if (here == TokenKind::CloseBrace) {
+      if (--open == 0) return true;
+    } else if (in_subscript == 0 && !is_subscript && here != TokenKind::Underscore && here != TokenKind::Prime) {
+      return false;
+    }
+  }
+  return false;
 }
 
 bool Parser::parse_subscripts() {
@@ -124,7 +200,7 @@ bool Parser::parse_subscripts() {
 bool Parser::parse_subscript() {
   advance();
   if (at(TokenKind::OpenBrace)) return parse_subscript_group();
-  if (at(TokenKind::Vec)) return parse_vec_name();
+  if (is_decoration(kind())) return parse_decorated_name();
   if (is_subscript_token(kind())) return parse_name_base();
   if (at(TokenKind::Unknown)) {
     report_unknown();
@@ -166,6 +242,7 @@ bool Parser::parse_subscript_group() {
 
 /// `\vec{` followed by a digit, `.` or a sign.
 bool Parser::vector_literal_begins() const {
+  if (block_.slice(tokens_[position_].span) != "\\vec") return false;
   if (kind_behind(position_) != TokenKind::OpenBrace) return false;
   uint32_t token = position_;
   for (int steps = 0; steps < 2; ++steps) {

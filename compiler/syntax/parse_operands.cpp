@@ -125,7 +125,10 @@ Parser::Part Parser::parse_first_factor(bool behind_sign, FunctionOperand& read)
 
 /// A name straight behind, as in `\cos n\phi`; a space command between them ends the operand.
 bool Parser::continues_function_operand() const {
-  if (!at(TokenKind::Word) && !at(TokenKind::Macro) && !at(TokenKind::Text) && !at(TokenKind::Vec)) return false;
+  if (!at(TokenKind::Word) && !at(TokenKind::Macro) && !at(TokenKind::Text) && !at(TokenKind::Vec) &&
+      !at(TokenKind::Accent)) {
+    return false;
+  }
   if (is_layout(tokens_[position_ - 1].kind)) return false;
   const Span gap = {tokens_[position_ - 1].span.end, tokens_[position_].span.begin};
   return block_.slice(gap).find('\\') == std::string_view::npos;

@@ -160,6 +160,8 @@ Parser::Part Parser::parse_primary() {
       return parse_name_or_call();
     case TokenKind::Vec:
       return vector_literal_begins() ? parse_vector_literal() : parse_name_or_call();
+    case TokenKind::Accent:
+      return parse_name_or_call();
     case TokenKind::Function:
       return parse_function();
     case TokenKind::Extremum:
@@ -168,8 +170,9 @@ Parser::Part Parser::parse_primary() {
       return parse_fraction();
     case TokenKind::Sqrt:
       return parse_root();
-    case TokenKind::OpenParen:
     case TokenKind::OpenBrace:
+      return decorated_group_begins() ? parse_name_or_call() : parse_group();
+    case TokenKind::OpenParen:
     case TokenKind::OpenBracket:
     case TokenKind::OpenSet:
       return parse_group();
@@ -182,6 +185,7 @@ Parser::Part Parser::parse_primary() {
     case TokenKind::Divide:
     case TokenKind::Caret:
     case TokenKind::Underscore:
+    case TokenKind::Prime:
     case TokenKind::Equals:
     case TokenKind::Comma:
     case TokenKind::CloseParen:

@@ -98,11 +98,15 @@ class Parser {
   Part parse_name_leaf();
   bool parse_name();
   bool parse_name_base();
-  bool parse_vec_name();
+  bool parse_decorated_name();
+  bool parse_decorated_group();
+  void parse_primes();
   bool parse_subscripts();
   bool parse_subscript();
   bool parse_subscript_group();
   bool vector_literal_begins() const;
+  bool decorated_group_begins() const;
+  bool primes_begin() const;
 
   // Definitions (parse_definition.cpp).
   void parse_statement(const Statement& statement, Span stretch);

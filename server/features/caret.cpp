@@ -20,6 +20,10 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
+bool is_decoration(TokenKind kind) {
+  return kind == TokenKind::Vec || kind == TokenKind::Accent;
+}
+
 /// Reads tokens from the left and knows which brackets are open and where the name in front starts.
 class BracketReader {
  public:
@@ -39,16 +43,15 @@ class BracketReader {
 
   void read(uint32_t token) {
     const TokenKind here = kind(token);
-    const bool goes_on = before(token) == TokenKind::Underscore || before(token) == TokenKind::Vec;
+    const bool goes_on = before(token) == TokenKind::Underscore || is_decoration(before(token));
     if (is_opener(here)) {
       open(token);
       name_ = kNone;
     } else if (is_closer(here)) {
       close(token);
-    } else if (here == TokenKind::Word || here == TokenKind::Macro || here == TokenKind::Text ||
-               here == TokenKind::Vec) {
+    } else if (here == TokenKind::Word || here == TokenKind::Macro || here == TokenKind::Text || is_decoration(here)) {
       if (!goes_on || name_ == kNone) name_ = token;
-    } else if (here == TokenKind::Underscore) {
+    } else if (here == TokenKind::Underscore || here == TokenKind::Prime) {
       // The name goes on.
     } else if (goes_on && before(token) == TokenKind::Underscore) {
       // `x_1`, `x_+`: any one token may be a subscript.
@@ -70,6 +73,7 @@ class BracketReader {
         if (is_brace && name_ != kNone) behind(Role::Subscript, name_);
         break;
       case TokenKind::Vec:
+      case TokenKind::Accent:
         if (is_brace) behind(Role::Vec, name_);
         break;
       case TokenKind::Unknown:
@@ -106,6 +110,7 @@ class BracketReader {
       case TokenKind::Number:
       case TokenKind::Word:
       case TokenKind::Text:
+      case TokenKind::Prime:
       case TokenKind::Plus:
       case TokenKind::Minus:
       case TokenKind::Multiply:
@@ -144,7 +149,8 @@ class BracketReader {
   }
 
   bool is_text_command(uint32_t token) const {
-    return block_.token_text(token) == "\\text" || block_.token_text(token) == "\\mathrm";
+    const std::string_view text = block_.token_text(token);
+    return text.starts_with('\\') && find_control_word(text.substr(1)).meaning == WordMeaning::Text;
   }
   bool is_greek(uint32_t token) const { return is_greek_letter(block_.token_text(token).substr(1)); }
 
@@ -216,7 +222,7 @@ class CaretReader {
     BracketReader reader(block_);
     reader.read_until(caret_.typed_token);
     const TokenKind before = caret_.typed_token == 0 ? TokenKind::End : block_.tokens[caret_.typed_token - 1].kind;
-    const bool goes_on = before == TokenKind::Underscore || before == TokenKind::Vec;
+    const bool goes_on = before == TokenKind::Underscore || is_decoration(before);
     uint32_t first = goes_on && reader.name() != kNone ? reader.name() : caret_.typed_token;
     caret_.brackets = reader.take();
     const auto part = std::ranges::find_if(caret_.brackets, &OpenBracket::is_part_of_name);

@@ -48,6 +48,8 @@ class DemandReader {
         case TokenKind::Macro:
         case TokenKind::Text:
         case TokenKind::Vec:
+        case TokenKind::Accent:
+        case TokenKind::Prime:
         case TokenKind::Extremum:
         case TokenKind::Frac:
         case TokenKind::Multiply:

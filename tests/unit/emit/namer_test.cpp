@@ -5,19 +5,31 @@
 namespace texbrdf::emit {
 namespace {
 
-Name name(std::string base, std::vector<std::string> subscripts = {}, Decoration decoration = Decoration::None) {
+Name name(std::string base, std::vector<std::string> subscripts = {}) {
   Name result;
   result.base = std::move(base);
   result.subscripts = std::move(subscripts);
-  result.decoration = decoration;
+  return result;
+}
+
+Name text(std::string base) {
+  Name result = name(std::move(base));
+  result.is_text = true;
+  return result;
+}
+
+Name decorated(std::string decoration, std::string base) {
+  Name result = name(std::move(base));
+  result.decorations = {std::move(decoration)};
   return result;
 }
 
 TEST(Identifier, ReadsLikeTheName) {
   EXPECT_EQ(identifier(name("rho", {"d"})), "rho_d");
-  EXPECT_EQ(identifier(name("cook_torrance", {}, Decoration::Text)), "cook_torrance");
-  EXPECT_EQ(identifier(name("cook\\_torrance", {}, Decoration::Text)), "cook_torrance");
-  EXPECT_EQ(identifier(name("H", {}, Decoration::Vec)), "H");
+  EXPECT_EQ(identifier(text("cook_torrance")), "cook_torrance");
+  EXPECT_EQ(identifier(text("cook\\_torrance")), "cook_torrance");
+  EXPECT_EQ(identifier(decorated("vec", "H")), "H");
+  EXPECT_EQ(identifier(decorated("bar", "mu")), "mu_bar");
   EXPECT_EQ(identifier(name("f", {"{n_i}"})), "f_n_i");
   EXPECT_EQ(identifier(name("x", {"n+1"})), "x_n_plus_1");
   EXPECT_EQ(identifier(name("phi", {"\\text{diff}"})), "phi_diff");
@@ -45,10 +57,9 @@ TEST(Identifier, IsAlwaysLegal) {
 TEST(Namer, GivesEachNameOnce) {
   Namer names(kGlslDialect);
   EXPECT_EQ(names.claim(name("H")), "H");
-  EXPECT_EQ(names.claim(name("H", {}, Decoration::Vec)), "H_vec");
-  EXPECT_EQ(names.claim(name("H", {}, Decoration::Roman)), "H_roman");
-  EXPECT_EQ(names.claim(name("H", {}, Decoration::Text)), "H_text");
-  EXPECT_EQ(names.claim(name("H", {}, Decoration::Vec)), "H_2");
+  EXPECT_EQ(names.claim(decorated("vec", "H")), "H_vec");
+  EXPECT_EQ(names.claim(text("H")), "H_text");
+  EXPECT_EQ(names.claim(decorated("vec", "H")), "H_2");
   EXPECT_EQ(names.claim("H"), "H_3");
 }
 

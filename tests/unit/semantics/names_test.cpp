@@ -57,18 +57,78 @@ INSTANTIATE_TEST_SUITE_P(Names, CanonicalForm,
                              {"s_{\\alpha}", "s_\\alpha"},
                              {"s_{\\alpha b}", "s_{\\alpha b}"},
                              {"s_{{\\alpha}b}", "s_{\\alpha b}"},
-                             {"\\phi_{\\text{diff}}", "\\phi_{\\text{diff}}"},
-                             {"\\phi_\\text{diff}", "\\phi_{\\text{diff}}"},
+                             {"\\phi_{\\text{diff}}", "\\phi_{diff}"},
+                             {"\\phi_\\text{diff}", "\\phi_{diff}"},
+                             {"\\phi_{\\mathrm{diff}}", "\\phi_{diff}"},
+                             {"\\phi_{{\\rm diff}}", "\\phi_{diff}"},
+                             {"\\phi_{\\rm diff}", "\\phi_{diff}"},
+                             {"\\phi_{\\mathrm{d}}", "\\phi_d"},
+                             {"\\phi_\\mathrm d", "\\phi_d"},
+                             {"\\phi_{\\alpha\\text{d}}", "\\phi_{\\alpha d}"},
+                             {"F_{\\text{D90}}", "F_{D90}"},
+                             {"x_{\\text{a b}}", "x_{\\text{a b}}"},
+                             {"f_\\text{cook\\_torrance}", "f_{\\text{cook\\_torrance}}"},
                              {"\\text{cook\\_torrance}", "\\text{cook\\_torrance}"},
                              {"\\text{ two  words }", "\\text{two words}"},
-                             {"\\mathrm{two words}", "\\mathrm{twowords}"},
+                             {"\\mathrm{two words}", "\\text{twowords}"},
+                             {"\\mathit{x}", "\\text{x}"},
+                             {"\\operatorname{lerp}", "\\text{lerp}"},
+                             {"\\operatorname*{lerp}", "\\text{lerp}"},
+                             {"\\mathrm x", "\\text{x}"},
+                             {"{\\rm two words}", "\\text{twowords}"},
+                             {"\\mbox{ two  words }", "\\text{two words}"},
                              {"\\vec{n}", "\\vec{n}"},
                              {"\\vec{ n }", "\\vec{n}"},
                              {"\\vec{C_{s}}", "\\vec{C_s}"},
                              {"\\vec{C}_s", "\\vec{C_s}"},
                              {"\\vec{C_a}_b", "\\vec{C_a}_b"},
                              {"\\vec{\\text{n}}", "\\vec{\\text{n}}"},
+                             {"\\mathbf{n}", "\\vec{n}"},
+                             {"\\mathbf n", "\\vec{n}"},
+                             {"\\boldsymbol{n}", "\\vec{n}"},
+                             {"\\bm n", "\\vec{n}"},
+                             {"\\pmb n", "\\vec{n}"},
+                             {"\\textbf{n}", "\\vec{n}"},
+                             {"\\hat n", "\\vec{n}"},
+                             {"\\overrightarrow{n}", "\\vec{n}"},
+                             {"\\hat{\\mathbf n}", "\\vec{n}"},
+                             {"\\hat\\mathbf{n}", "\\vec{n}"},
+                             {"\\vec{\\vec{n}}", "\\vec{n}"},
+                             {"\\mathbf{{n}}", "\\vec{n}"},
+                             {"{\\bf n}", "\\vec{n}"},
+                             {"{\\bm n}", "\\vec{n}"},
+                             {"{\\bf NH}", "\\vec{NH}"},
+                             {"\\bf n", "\\vec{n}"},
+                             {"{\\bf k}_1", "\\vec{k_1}"},
+                             {"{\\bf k_{12}}", "\\vec{k_{12}}"},
+                             {"\\vec k_1", "\\vec{k_1}"},
+                             {"\\hat\\omega_m", "\\vec{\\omega_m}"},
+                             {"\\hat\\omega_i", "\\omega_i"},
+                             {"\\bar{\\mu}", "\\bar{\\mu}"},
+                             {"\\bar\\mu_0", "\\bar{\\mu_0}"},
+                             {"\\bar{\\mathbf x}", "\\bar{\\vec{x}}"},
+                             {"\\mathbf{\\bar x}_1", "\\vec{\\bar{x_1}}"},
+                             {"\\mathcal F", "\\mathcal{F}"},
+                             {"{\\cal F}_1", "\\cal{F_1}"},
+                             {"v'", "v'"},
+                             {"x''", "x''"},
+                             {"f'_d", "f_d'"},
+                             {"f_d'", "f_d'"},
+                             {"f_d^\\prime", "f_d'"},
+                             {"f_d^{\\prime\\prime}", "f_d''"},
+                             {"\\mathbf{l}'", "\\vec{l}'"},
+                             {"\\mathbf{l'}", "\\vec{l}'"},
+                             {"\\mathbf l'_1", "\\vec{l_1}'"},
+                             {"f_{l'}", "f_{l'}"},
                              {"x_{\\vec{n}}", "x_{\\vec{n}}"},
+                             {"x_{\\mathbf n}", "x_{\\vec{n}}"},
+                             {"x_\\mathbf{n}", "x_{\\vec{n}}"},
+                             {"x_{\\hat\\mathbf n}", "x_{\\vec{n}}"},
+                             {"x_{\\hat{\\mathbf{n}}}", "x_{\\vec{n}}"},
+                             {"x_{\\bf n}", "x_{\\vec{n}}"},
+                             {"x_{\\bar\\alpha_1}", "x_{\\bar{\\alpha}_1}"},
+                             {"x_\\bar\\alpha", "x_{\\bar{\\alpha}}"},
+                             {"x_{\\hat\\bar{ab} c}", "x_{\\vec{\\bar{ab}}c}"},
                              {"\\omega_i", "\\omega_i"},
                              {"\\vec{\\omega_i}", "\\omega_i"},
                              {"\\vec{\\omega}_{i}", "\\omega_i"},
@@ -80,26 +140,28 @@ TEST(ReadName, GivesItsParts) {
   const Name plain = read("\\rho_d").name;
   EXPECT_EQ(plain.base, "rho");
   EXPECT_TRUE(plain.is_command);
-  EXPECT_EQ(plain.decoration, Decoration::None);
+  EXPECT_FALSE(plain.is_text);
+  EXPECT_TRUE(plain.decorations.empty());
   EXPECT_EQ(plain.subscripts, std::vector<std::string>{"d"});
 
   const Name text = read("\\text{cook\\_torrance}").name;
   EXPECT_EQ(text.base, "cook_torrance");
   EXPECT_FALSE(text.is_command);
-  EXPECT_EQ(text.decoration, Decoration::Text);
+  EXPECT_TRUE(text.is_text);
 
   const Name vector = read("\\vec{\\omega_i}").name;
   EXPECT_EQ(vector.base, "omega");
   EXPECT_TRUE(vector.is_command);
-  EXPECT_EQ(vector.decoration, Decoration::Vec);
-  EXPECT_EQ(vector.inner, std::vector<std::string>{"\\omega_i"});
+  EXPECT_TRUE(vector.is_vector());
+  EXPECT_EQ(vector.decorations, std::vector<std::string>{"vec"});
   EXPECT_EQ(vector.subscripts, std::vector<std::string>{"i"});
 }
 
-TEST(ReadName, DecorationsAreThreeNames) {
-  EXPECT_NE(read("n").canonical, read("\\vec{n}").canonical);
-  EXPECT_NE(read("n").canonical, read("\\text{n}").canonical);
-  EXPECT_NE(read("\\text{n}").canonical, read("\\mathrm{n}").canonical);
+TEST(ReadName, CountsPrimesWhereverTheyStand) {
+  const Name primed = read("\\mathbf{l'}_i'").name;
+  EXPECT_EQ(primed.base, "l");
+  EXPECT_EQ(primed.primes, 2u);
+  EXPECT_EQ(primed.subscripts, std::vector<std::string>{"i"});
 }
 
 TEST(ReadName, ReadsDeepSubscripts) {
