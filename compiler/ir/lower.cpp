@@ -102,6 +102,10 @@ class Lowering {
       case NodeKind::Prefix:
         if (token(node).kind == TokenKind::Plus) return child_value(node, 0);
         return graph_.add(Op::Negate, {child_value(node, 0)});
+      case NodeKind::Bars:
+        return length(child_value(node, 0));
+      case NodeKind::Angles:
+        return angles(node);
       case NodeKind::Infix:
         return infix(node);
       case NodeKind::Juxtaposition:
@@ -177,8 +181,30 @@ class Lowering {
   ValueId infix(NodeId node) {
     const ValueId left = child_value(node, 0), right = child_value(node, 1);
     const Op op = infix_op(token(node).kind);
-    const bool is_dot = op == Op::Multiply && is_triple(graph_.at(left).type) && type(node) == Type::Real;
-    return graph_.add(is_dot ? Op::Dot : op, {left, right});
+    if (op == Op::Multiply) return product(node, left, right);
+    if (op == Op::Cross) return graph_.add(is_cross_product(left, right) ? Op::Cross : Op::Multiply, {left, right});
+    return graph_.add(op, {left, right});
+  }
+
+  /// Of two vectors the dot product.
+  ValueId product(NodeId node, ValueId left, ValueId right) {
+    const bool is_dot = is_triple(graph_.at(left).type) && type(node) == Type::Real;
+    return graph_.add(is_dot ? Op::Dot : Op::Multiply, {left, right});
+  }
+
+  bool is_cross_product(ValueId left, ValueId right) const {
+    const Type a = graph_.at(left).type, b = graph_.at(right).type;
+    return is_triple(a) && is_triple(b) && a != Type::Colour && b != Type::Colour;
+  }
+
+  ValueId length(ValueId operand) {
+    if (is_triple(graph_.at(operand).type)) return graph_.add(Op::Sqrt, {graph_.add(Op::Dot, {operand, operand})});
+    return graph_.add(Op::Max, {operand, graph_.add(Op::Negate, {operand})});
+  }
+
+  ValueId angles(NodeId node) {
+    if (block_.tree.node(node).child_count == 2) return product(node, child_value(node, 0), child_value(node, 1));
+    return graph_.add(Op::Max, {graph_.constant(0), child_value(node, 0)});
   }
 
   ValueId root(NodeId node) {

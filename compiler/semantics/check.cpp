@@ -79,11 +79,20 @@ class DefinitionCheck {
     std::vector<Type> all_real = known;
     std::ranges::replace(all_real, Type::Error, Type::Real);
     Reading real = read_as(std::move(all_real));
-    if (real.fits()) return real;
+    if (real.fits() && !holds_times()) return real;
     Reading undecided = read_as(known);
-    if (!undecided.fits()) return undecided;
+    if (!undecided.fits()) return real.fits() ? real : undecided;
     std::optional<std::vector<Type>> inferred = infer_parameters(view_, body_, known);
     return inferred ? read_as(*std::move(inferred)) : real;
+  }
+
+  /// Which is the product of two vectors sooner than of numbers.
+  bool holds_times() const {
+    for (uint32_t node = view_.body_begin(); node < view_.body_end(); ++node) {
+      const Node& n = view_.node(NodeId{node});
+      if (n.kind == NodeKind::Infix && view_.token(n.token).kind == TokenKind::Cross) return true;
+    }
+    return false;
   }
 
   void decide(const std::vector<Type>& types) {

@@ -7,19 +7,29 @@
 namespace texbrdf {
 namespace {
 
+/// Parameters beside a `\times` are vectors, if that is possible at all.
+enum class Times : uint8_t { IsCrossProduct, IsAnyProduct };
+
 /// The types that each value may have while some parameters are open. Stops where a value has none left.
 class PossibleTypes {
  public:
   using Value = TypeSet;
 
-  PossibleTypes(const DefinitionView& view, const ResolvedBody& body, const std::vector<TypeSet>& parameters)
-      : view_(view), body_(body), parameters_(parameters) {}
+  PossibleTypes(const DefinitionView& view, const ResolvedBody& body, const std::vector<TypeSet>& parameters,
+                Times times)
+      : view_(view), body_(body), parameters_(parameters), times_(times) {}
 
   bool stopped() const { return failed_; }
   TypeSet exactly(Type type) const { return type; }
   TypeSet leaf(uint32_t slot) const { return body_.leaves[slot]; }
   TypeSet parameter(uint32_t position) const { return parameters_[position]; }
-  TypeSet binary(NodeId, Operator op, TypeSet left, TypeSet right) { return checked(results(op, left, right)); }
+  TypeSet binary(NodeId, Operator op, TypeSet left, TypeSet right) {
+    if (op == Operator::Cross && times_ == Times::IsCrossProduct) {
+      left = left & (TypeSet::triples() | Type::Error);
+      right = right & (TypeSet::triples() | Type::Error);
+    }
+    return checked(results(op, left, right));
+  }
 
   TypeSet elementary(NodeId id, const std::vector<TypeSet>& values) {
     TypeSet found;
@@ -32,6 +42,8 @@ class PossibleTypes {
     }
     return may_be_real ? found | Type::Real : found;
   }
+
+  TypeSet length(TypeSet operand) { return (operand & Type::Error) | Type::Real; }
 
   TypeSet tuple(NodeId id, const std::vector<TypeSet>& values) {
     TypeSet found = Type::Tuple;
@@ -65,13 +77,14 @@ class PossibleTypes {
   const DefinitionView& view_;
   const ResolvedBody& body_;
   const std::vector<TypeSet>& parameters_;
+  const Times times_;
   bool failed_ = false;
 };
 
 class Search {
  public:
-  Search(const DefinitionView& view, const ResolvedBody& body, const std::vector<Type>& known)
-      : view_(view), body_(body), values_(view.slot_count()) {
+  Search(const DefinitionView& view, const ResolvedBody& body, const std::vector<Type>& known, Times times)
+      : view_(view), body_(body), times_(times), values_(view.slot_count()) {
     for (uint32_t i = 0; i < known.size(); ++i) {
       const bool is_open = known[i] == Type::Error;
       types_.push_back(is_open ? TypeSet::any_value() : TypeSet(known[i]));
@@ -94,7 +107,7 @@ class Search {
 
   bool may_check() {
     steps_ += values_.size();
-    PossibleTypes domain(view_, body_, types_);
+    PossibleTypes domain(view_, body_, types_, times_);
     TypeWalk<PossibleTypes>(view_, body_, domain).run(values_);
     return !domain.stopped();
   }
@@ -139,6 +152,7 @@ class Search {
 
   const DefinitionView& view_;
   const ResolvedBody& body_;
+  const Times times_;
   std::vector<TypeSet> types_;  // by parameter
   std::vector<uint32_t> open_;  // parameters that may still be either
   std::vector<TypeSet> values_;
@@ -149,7 +163,10 @@ class Search {
 
 std::optional<std::vector<Type>> infer_parameters(const DefinitionView& view, const ResolvedBody& body,
                                                   const std::vector<Type>& known) {
-  return Search(view, body, known).run();
+  for (const Times times : {Times::IsCrossProduct, Times::IsAnyProduct}) {
+    if (auto types = Search(view, body, known, times).run()) return types;
+  }
+  return std::nullopt;
 }
 
 }  // namespace texbrdf

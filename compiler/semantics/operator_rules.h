@@ -28,6 +28,7 @@ class TypeSet {
   /// What a parameter may be while nothing is known of it.
   static constexpr TypeSet any_value() { return TypeSet(Type::Real) | TypeSet(Type::Vector); }
   /// What elementary functions take.
+  static constexpr TypeSet triples() { return TypeSet(Type::Vector) | Type::Colour | Type::Tuple; }
   static constexpr TypeSet componentwise() { return TypeSet(Type::Real) | Type::Colour | Type::Tuple; }
   /// What can stand where a value of the type is expected.
   static constexpr TypeSet fitting(Type expected) {

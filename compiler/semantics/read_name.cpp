@@ -22,8 +22,8 @@ class NameReader {
 
   /// Decorations and braces may alternate; all that is behind the base belongs to it, wherever a brace closes.
   void read_decorated() {
-    for (; kind() == TokenKind::Vec || kind() == TokenKind::Accent || kind() == TokenKind::OpenBrace ||
-           is_layout(kind());
+    for (;
+         kind() == TokenKind::Vec || kind() == TokenKind::Accent || kind() == TokenKind::OpenBrace || is_layout(kind());
          ++token_) {
       if (kind() == TokenKind::Vec || kind() == TokenKind::Accent) add_decoration();
     }

@@ -93,6 +93,8 @@ class OneType {
     return is_known ? Type::Tuple : of_unknown(Type::Tuple);
   }
 
+  Type length(Type operand) { return operand == Type::Error ? of_unknown(Type::Real) : Type::Real; }
+
   Type call(NodeId id, const Signature& signature, const std::vector<Type>& values) {
     const std::span<const NodeId> children = view_.block.tree.children(id);
     const std::span<const NodeId> arguments = children.subspan(1);

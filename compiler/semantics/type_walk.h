@@ -13,7 +13,7 @@ namespace texbrdf {
 ///   Value binary(NodeId, Operator, Value left, Value right),
 ///   Value elementary(NodeId, const Values&), Value tuple(NodeId, const Values&),
 ///   Value call(NodeId, const Signature&, const Values&),
-///   Value leaf(uint32_t slot), bool stopped()
+///   Value length(Value operand), Value leaf(uint32_t slot), bool stopped()
 /// where Values are all values so far by slot.
 template <typename Domain>
 class TypeWalk {
@@ -48,8 +48,14 @@ class TypeWalk {
         return node.child_count == 1 ? child(id, 0, values) : domain_.exactly(Type::Error);
       case NodeKind::Tuple:
         return domain_.tuple(id, values);
-      case NodeKind::Infix:
+      case NodeKind::Bars:
+        return domain_.length(child(id, 0, values));
+      case NodeKind::Angles:
+        if (node.child_count == 1) return domain_.elementary(id, values);
+        return domain_.binary(id, Operator::Multiply, child(id, 0, values), child(id, 1, values));
       case NodeKind::Fraction:
+        return domain_.binary(id, Operator::Divide, child(id, 0, values), child(id, 1, values));
+      case NodeKind::Infix:
         return binary(id, values);
       case NodeKind::Root:
       case NodeKind::Function:

@@ -10,9 +10,9 @@ constexpr uint32_t kNone = UINT32_MAX;
 
 /// One comparison for the kinds that follow each other in token_kind.def.
 constexpr bool is_bracket(TokenKind kind) {
-  return kind >= TokenKind::OpenParen && kind <= TokenKind::CloseSet;
+  return kind >= TokenKind::OpenParen && kind <= TokenKind::CloseAngle;
 }
-static_assert(static_cast<int>(TokenKind::CloseSet) - static_cast<int>(TokenKind::OpenParen) == 7);
+static_assert(static_cast<int>(TokenKind::CloseAngle) - static_cast<int>(TokenKind::OpenParen) == 9);
 
 /// Pairs each closer with the nearest open bracket of its kind; what was opened in between stays open there.
 class Pairing {
@@ -94,6 +94,7 @@ TokenKind closer_of(TokenKind opener) {
   if (opener == TokenKind::OpenBrace) return TokenKind::CloseBrace;
   if (opener == TokenKind::OpenBracket) return TokenKind::CloseBracket;
   if (opener == TokenKind::OpenSet) return TokenKind::CloseSet;
+  if (opener == TokenKind::OpenAngle) return TokenKind::CloseAngle;
   return TokenKind::Unknown;
 }
 
@@ -103,7 +104,7 @@ bool is_opener(TokenKind kind) {
 
 bool is_closer(TokenKind kind) {
   return kind == TokenKind::CloseParen || kind == TokenKind::CloseBrace || kind == TokenKind::CloseBracket ||
-         kind == TokenKind::CloseSet;
+         kind == TokenKind::CloseSet || kind == TokenKind::CloseAngle;
 }
 
 bool brackets_balance(std::span<const Token> tokens) {

@@ -8,12 +8,13 @@ namespace texbrdf {
 
 /// What a backslash followed by letters means to the lexer.
 enum class WordMeaning : uint8_t {
-  Name,              ///< no word of the language: a Greek letter, or a name of the document
-  Command,           ///< an operator or function of commands.def
-  Nothing,           ///< no token
-  NothingWithGroup,  ///< no token, nor the brace group behind it
-  Text,              ///< with the brace group or the letter behind it one token
-  TextDeclaration,   ///< `{\rm …}` is one token; by itself none
+  Name,               ///< no word of the language: a Greek letter, or a name of the document
+  Command,            ///< an operator or function of commands.def
+  Nothing,            ///< no token
+  NothingWithGroup,   ///< no token, nor the brace group behind it
+  NothingWithBraces,  ///< no token, nor the braces of the group behind it
+  Text,               ///< with the brace group or the letter behind it one token
+  TextDeclaration,    ///< `{\rm …}` is one token; by itself none
   Vec,
   VecDeclaration,  ///< as Vec, but over a whole word
   Accent,

@@ -3,6 +3,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "source/utf8.h"
 #include "syntax/control_words.h"
@@ -33,6 +34,7 @@ struct CharacterTable {
     symbol('_', TokenKind::Underscore);
     symbol('\'', TokenKind::Prime);
     symbol('=', TokenKind::Equals);
+    symbol('|', TokenKind::Bar);
     symbol(',', TokenKind::Comma);
     symbol(';', TokenKind::Comma);
     symbol('<', TokenKind::Relation);
@@ -139,6 +141,7 @@ class Lexer {
       case CharacterClass::Symbol:
         if (current() == '{' && lex_text_declaration()) return;
         ++at_;
+        if (closes_a_box(text_[begin])) return;
         return push(symbol_kind(text_[begin]), begin, at_);
       case CharacterClass::Backslash:
         return lex_command();
@@ -149,6 +152,23 @@ class Lexer {
       case CharacterClass::Other:
         return lex_unknown();
     }
+  }
+
+  /// Counts braces; those of `\boxed{…}` are no tokens.
+  bool closes_a_box(char symbol) {
+    if (symbol == '{') ++open_braces_;
+    if (symbol != '}' || open_braces_ == 0) return false;
+    const bool is_box = !boxes_.empty() && boxes_.back() == open_braces_;
+    if (is_box) boxes_.pop_back();
+    --open_braces_;
+    return is_box;
+  }
+
+  void open_box() {
+    const uint32_t open = behind_spaces(at_);
+    if (open >= text_.size() || text_[open] != '{') return;
+    at_ = open + 1;
+    boxes_.push_back(++open_braces_);
   }
 
   TokenKind symbol_kind(char symbol) const {
@@ -202,7 +222,8 @@ class Lexer {
       case WordMeaning::Token:
       case WordMeaning::VecDeclaration:
       case WordMeaning::AccentDeclaration:
-        return push(word.kind, begin, at_, word.command);
+        push(word.kind, begin, at_, word.command);
+        return word.kind == TokenKind::Frac ? lex_digit_arguments() : void();
       case WordMeaning::Vec:
       case WordMeaning::Accent:
         push(word.kind, begin, at_, word.command);
@@ -212,8 +233,10 @@ class Lexer {
         return;
       case WordMeaning::NothingWithGroup:
         return skip_meaningless_group();
+      case WordMeaning::NothingWithBraces:
+        return open_box();
       case WordMeaning::Delimiter:
-        return skip_null_delimiter();
+        return lex_delimiter();
       case WordMeaning::Text:
         return lex_text(begin);
       case WordMeaning::Environment:
@@ -239,14 +262,18 @@ class Lexer {
     }
     if (symbol == '{') return push(TokenKind::OpenSet, begin, at_);
     if (symbol == '}') return push(TokenKind::CloseSet, begin, at_);
+    if (symbol == '|') return push(TokenKind::DoubleBar, begin, at_);
     push(TokenKind::Unknown, begin, at_);
   }
 
-  /// `\left.`
-  void skip_null_delimiter() {
-    uint32_t dot = at_;
-    while (dot < text_.size() && class_of(text_[dot]) == CharacterClass::Space) ++dot;
-    if (dot < text_.size() && text_[dot] == '.') at_ = dot + 1;
+  /// What is no delimiter by itself: `\left.` and `\left<`.
+  void lex_delimiter() {
+    const uint32_t begin = behind_spaces(at_);
+    const char delimiter = begin < text_.size() ? text_[begin] : ' ';
+    if (delimiter != '.' && delimiter != '<' && delimiter != '>') return;
+    at_ = begin + 1;
+    if (delimiter == '<') push(TokenKind::OpenAngle, begin, at_);
+    if (delimiter == '>') push(TokenKind::CloseAngle, begin, at_);
   }
 
   /// `\\[2pt]`
@@ -297,6 +324,16 @@ class Lexer {
     if (!is_letter_at(letter)) return;
     push(TokenKind::Word, letter, letter + 1);
     at_ = letter + 1;
+  }
+
+  /// `\frac12` is a half.
+  void lex_digit_arguments() {
+    for (int argument = 0; argument < 2; ++argument) {
+      const uint32_t digit = behind_spaces(at_);
+      if (!digit_follows(digit)) return;
+      push(TokenKind::Number, digit, digit + 1);
+      at_ = digit + 1;
+    }
   }
 
   bool is_letter_at(uint32_t at) const { return at < text_.size() && class_of(text_[at]) == CharacterClass::Letter; }
@@ -396,6 +433,8 @@ class Lexer {
   uint32_t columns_;  // open environments in which `&` separates columns
   std::pmr::memory_resource* memory_;
   TokenBuffer buffer_;
+  uint32_t open_braces_ = 0;
+  std::vector<uint32_t> boxes_;  // how many braces were open with the one of a box
   std::pmr::vector<Span> comments_;
   // Once one search has met the end in vain the block is broken; searching again and again would not be linear.
   bool an_open_group_was_met_ = false;

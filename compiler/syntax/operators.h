@@ -33,7 +33,7 @@ constexpr std::array<TokenRole, 256> make_token_roles() {
   for (const TokenKind kind :
        {TokenKind::Number, TokenKind::Word, TokenKind::Macro, TokenKind::Text, TokenKind::Vec, TokenKind::Accent,
         TokenKind::Function, TokenKind::Extremum, TokenKind::Frac, TokenKind::Sqrt, TokenKind::OpenParen,
-        TokenKind::OpenBrace, TokenKind::OpenBracket, TokenKind::OpenSet}) {
+        TokenKind::OpenBrace, TokenKind::OpenBracket, TokenKind::OpenSet, TokenKind::OpenAngle}) {
     roles[static_cast<size_t>(kind)].begins_operand = true;
   }
   return roles;

@@ -96,9 +96,12 @@ Parser::Part Parser::parse_right_side() {
   return make(NodeKind::Error, unexpected, first, {right});
 }
 
-/// An equation of a paper that defines nothing is no error, unless its sides are swapped.
+/// An equation of a paper that defines nothing is no error, unless its sides are swapped: `1 + 2 = f`.
 void Parser::report_no_definition(const Part& left, const Part& right) {
-  const bool is_swapped = block_.tree.node(right.node).kind == NodeKind::Name;
+  const auto is_name = [&](const Node& node) { return node.kind == NodeKind::Name; };
+  const std::span<const Node> nodes = block_.tree.nodes();
+  const bool is_swapped = is_name(nodes[right.node.value]) &&
+                          std::ranges::none_of(nodes.subspan(first_node_, left.node.value - first_node_), is_name);
   Diagnostic* const diagnostic = report(Code::NoDefinition, first_token(left), block_.span(left.node), {});
   if (diagnostic != nullptr && !is_swapped) diagnostic->severity = Severity::Hint;
 }

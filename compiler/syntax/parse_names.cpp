@@ -35,6 +35,11 @@ bool is_subscript_token(TokenKind kind) {
     case TokenKind::OpenBracket:
     case TokenKind::CloseBracket:
     case TokenKind::OpenSet:
+    case TokenKind::OpenAngle:
+    case TokenKind::CloseAngle:
+    case TokenKind::Bar:
+    case TokenKind::DoubleBar:
+    case TokenKind::Over:
     case TokenKind::CloseSet:
     case TokenKind::Relation:
     case TokenKind::Ampersand:
@@ -59,7 +64,16 @@ bool is_decoration(TokenKind kind) {
 
 Parser::Part Parser::parse_name_leaf() {
   const uint32_t first = position_;
-  const bool readable = parse_name();
+  return name_leaf(first, parse_name());
+}
+
+/// Without subscripts.
+Parser::Part Parser::parse_bare_name() {
+  const uint32_t first = position_;
+  return name_leaf(first, parse_name_base());
+}
+
+Parser::Part Parser::name_leaf(uint32_t first, bool readable) {
   uint32_t end = position_;
   while (end > first + 1 && is_layout(tokens_[end - 1].kind)) --end;
   return leaf(readable ? NodeKind::Name : NodeKind::Error, first, std::max(end, first + 1));

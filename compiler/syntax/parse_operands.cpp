@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "syntax/control_words.h"
 #include "syntax/operators.h"
 #include "syntax/parser.h"
@@ -16,15 +18,69 @@ bool is_minus_one(const ParsedBlock& block, NodeId exponent) {
 
 }  // namespace
 
+/// What a bracket holds: an expression, or `a \over b`. `bar`: what closes it, where that is a bar.
+Parser::Part Parser::parse_inside(TokenKind bar) {
+  const TokenKind open_bar = std::exchange(open_bar_, bar);
+  const uint32_t first = position_;
+  Part inner = parse_expression(0);
+  if (at(TokenKind::Over)) {
+    const uint32_t over = advance();
+    recovering_ = false;
+    const Part denominator = parse_expression(0);
+    inner = make(NodeKind::Fraction, over, first, {inner, denominator});
+  }
+  open_bar_ = open_bar;
+  return inner;
+}
+
 Parser::Part Parser::parse_group() {
   const uint32_t opener = advance();
-  const Part inner = parse_expression(0);
+  const Part inner = parse_inside();
   if (at(TokenKind::Comma) && tokens_[opener].kind != TokenKind::OpenBrace) {
     list_.push_back(inner);
     return finish_list(NodeKind::Tuple, opener, opener, opener, list_.size() - 1);
   }
   const bool closed = close(opener);
   return make(closed ? NodeKind::Group : NodeKind::Error, opener, opener, {inner});
+}
+
+/// A bar where an operator could stand opens unless it closes one.
+bool Parser::opens_bars() const {
+  return (at(TokenKind::Bar) || at(TokenKind::DoubleBar)) && kind() != open_bar_;
+}
+
+/// `|x|`, `\|x\|`, and `||x||`, which is written so by many.
+Parser::Part Parser::parse_bars() {
+  if (kind() == open_bar_) {
+    report_expected(Code::NoExpression);
+    return error_here();
+  }
+  const TokenKind bar = kind();
+  const uint32_t opener = advance();
+  const bool is_doubled = bar == TokenKind::Bar && at(TokenKind::Bar);
+  if (is_doubled) advance();
+  const Part inner = parse_inside(bar);
+  bool closed = at(bar);
+  if (closed) advance();
+  if (closed && is_doubled) {
+    closed = at(bar);
+    if (closed) advance();
+  }
+  if (closed) {
+    recovering_ = false;
+    return make(NodeKind::Bars, opener, opener, {inner});
+  }
+  report(Code::UnclosedBracket, opener, {std::string(block_.token_text(opener))});
+  return make(NodeKind::Error, opener, opener, {inner});
+}
+
+Parser::Part Parser::parse_angles() {
+  const uint32_t opener = advance();
+  const Part list = parse_list(NodeKind::Angles, opener, opener, opener);
+  constexpr uint32_t kMost = 2;
+  if (list.damaged || block_.tree.node(list.node).child_count <= kMost) return list;
+  report(Code::UnexpectedToken, opener, {"a list of more than two in angle brackets"});
+  return make(NodeKind::Error, opener, opener, {list});
 }
 
 /// Reads the closer of the opener. Where something else stands, all up to the closer is skipped.
@@ -148,7 +204,7 @@ Parser::Part Parser::parse_extremum() {
 /// `first_element` come first.
 Parser::Part Parser::parse_list(NodeKind kind, uint32_t token, uint32_t first_token, uint32_t opener) {
   const size_t first_element = kind == NodeKind::Apply ? list_.size() - 1 : list_.size();
-  list_.push_back(parse_expression(0));
+  list_.push_back(parse_inside());
   return finish_list(kind, token, first_token, opener, first_element);
 }
 
@@ -158,7 +214,7 @@ Parser::Part Parser::finish_list(NodeKind kind, uint32_t token, uint32_t first_t
   while (at(TokenKind::Comma)) {
     advance();
     recovering_ = false;
-    list_.push_back(parse_expression(0));
+    list_.push_back(parse_inside());
   }
   const bool closed = close(opener);
   const Part list = make(closed ? kind : NodeKind::Error, token, first_token, list_.data() + first_element,
@@ -177,14 +233,19 @@ Parser::Part Parser::parse_fraction() {
   return make(NodeKind::Fraction, command, command, {numerator, denominator});
 }
 
-/// The expression of a brace group, without the group: the braces belong to the command.
+/// The expression of a brace group, without the group: the braces belong to the command. Else one symbol, as TeX reads
+/// `\frac\rho\pi`.
 Parser::Part Parser::parse_braced(uint32_t owner) {
+  if (at(TokenKind::Number)) return parse_primary();
+  if (at(TokenKind::Macro) || at(TokenKind::Text) || at(TokenKind::Vec) || at(TokenKind::Accent) || at_one_letter()) {
+    return parse_bare_name();
+  }
   if (!at(TokenKind::OpenBrace)) {
     report(Code::MissingGroup, position_, {"{", shown(owner, owner + 1), describe(position_)});
     return error_here();
   }
   const uint32_t opener = advance();
-  const Part inner = parse_expression(0);
+  const Part inner = parse_inside();
   if (close(opener)) return inner;
   return make(NodeKind::Error, opener, opener, {inner});
 }
@@ -195,7 +256,7 @@ Parser::Part Parser::parse_root() {
   const bool has_index = at(TokenKind::OpenBracket);
   if (has_index) {
     const uint32_t opener = advance();
-    index = parse_expression(0);
+    index = parse_inside();
     if (!close(opener)) index = make(NodeKind::Error, opener, opener, {index});
   }
   const bool has_sign = role_of(kind()).prefix != 0;

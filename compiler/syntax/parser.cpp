@@ -94,6 +94,7 @@ Parser::Part Parser::parse_expression(uint8_t min_power) {
 
 Parser::Part Parser::parse_infix(Part left, uint8_t min_power) {
   for (;;) {
+    skip_empty_groups();
     const TokenRole role = role_of(kind());
     if (role.infix != 0) {
       if (role.infix < min_power) return left;
@@ -102,7 +103,7 @@ Parser::Part Parser::parse_infix(Part left, uint8_t min_power) {
       const Part right = parse_expression(role.right_min);
       left = make(NodeKind::Infix, op, first_token(left), {left, right});
       if (role.infix == kPowerOperatorPower) report_power_chain(left);
-    } else if (role.begins_operand) {
+    } else if (role.begins_operand || opens_bars()) {
       if (kJuxtapositionPower < min_power) return left;
       left = parse_factor_behind(left);
     } else if (at(TokenKind::Unknown)) {
@@ -111,6 +112,15 @@ Parser::Part Parser::parse_infix(Part left, uint8_t min_power) {
     } else {
       return left;
     }
+  }
+}
+
+/// `{} + a`: what TeX needs for its spaces.
+void Parser::skip_empty_groups() {
+  while (at(TokenKind::OpenBrace) && kind_at(position_ + 1) == TokenKind::CloseBrace &&
+         role_of(kind_behind(position_ + 1)).infix != 0) {
+    advance();
+    advance();
   }
 }
 
@@ -138,6 +148,7 @@ Parser::Part Parser::parse_unknown_between(Part left) {
 }
 
 Parser::Part Parser::parse_operand() {
+  skip_empty_groups();
   return role_of(kind()).prefix != 0 ? parse_prefix() : parse_primary();
 }
 
@@ -176,6 +187,11 @@ Parser::Part Parser::parse_primary() {
     case TokenKind::OpenBracket:
     case TokenKind::OpenSet:
       return parse_group();
+    case TokenKind::OpenAngle:
+      return parse_angles();
+    case TokenKind::Bar:
+    case TokenKind::DoubleBar:
+      return parse_bars();
     case TokenKind::Unknown:
       return parse_unknown_operand();
     case TokenKind::Plus:
@@ -192,6 +208,8 @@ Parser::Part Parser::parse_primary() {
     case TokenKind::CloseBrace:
     case TokenKind::CloseBracket:
     case TokenKind::CloseSet:
+    case TokenKind::CloseAngle:
+    case TokenKind::Over:
     case TokenKind::Relation:
     case TokenKind::Ampersand:
     case TokenKind::Gap:

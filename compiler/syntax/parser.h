@@ -71,6 +71,7 @@ class Parser {
   Part parse_expression(uint8_t min_power);
   Part parse_infix(Part left, uint8_t min_power);
   Part parse_factor_behind(Part left);
+  void skip_empty_groups();
   Part parse_unknown_between(Part left);
   Part parse_operand();
   Part parse_prefix();
@@ -78,7 +79,11 @@ class Parser {
   Part parse_unknown_operand();
 
   // Operands (parse_operands.cpp).
+  Part parse_inside(TokenKind bar = TokenKind::End);
   Part parse_group();
+  bool opens_bars() const;
+  Part parse_bars();
+  Part parse_angles();
   Part parse_function();
   Part parse_function_power();
   Part parse_function_operand(bool behind_sign, FunctionOperand& read);
@@ -88,6 +93,7 @@ class Parser {
   Part parse_fraction();
   Part parse_root();
   Part parse_braced(uint32_t owner);
+  bool at_one_letter() const { return at(TokenKind::Word) && tokens_[position_].span.size() == 1; }
   Part parse_vector_literal();
   Part parse_list(NodeKind kind, uint32_t token, uint32_t first_token, uint32_t opener);
   Part finish_list(NodeKind kind, uint32_t token, uint32_t first_token, uint32_t opener, size_t first_element);
@@ -96,6 +102,8 @@ class Parser {
   // Names (parse_names.cpp).
   Part parse_name_or_call();
   Part parse_name_leaf();
+  Part parse_bare_name();
+  Part name_leaf(uint32_t first, bool readable);
   bool parse_name();
   bool parse_name_base();
   bool parse_decorated_name();
@@ -145,6 +153,7 @@ class Parser {
   uint32_t end_ = 0;     ///< behind the statement: a separator, or the End token
   uint32_t position_ = 0;
   uint32_t depth_ = 0;
+  TokenKind open_bar_ = TokenKind::End;  ///< the bar that is open here, in no bracket behind it
   const bool block_is_silent_;
   bool silent_ = false;
   bool recovering_ = false;

@@ -38,6 +38,7 @@ std::string hexadecimal(unsigned char byte) {
 std::string_view closer_text(TokenKind opener) {
   if (opener == TokenKind::OpenParen) return ")";
   if (opener == TokenKind::OpenSet) return "\\}";
+  if (opener == TokenKind::OpenAngle) return "\\rangle";
   return opener == TokenKind::OpenBrace ? "}" : "]";
 }
 

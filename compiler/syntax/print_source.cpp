@@ -67,6 +67,12 @@ class SourcePrinter {
         return write(")");
       case NodeKind::VectorLiteral:
         return print_vector(id);
+      case NodeKind::Bars:
+        return print_bars(id);
+      case NodeKind::Angles:
+        write("\\langle");
+        print_list(id, 0);
+        return write("\\rangle");
     }
   }
 
@@ -113,6 +119,15 @@ class SourcePrinter {
       if (i > first) write(",");
       print(child(id, i));
     }
+  }
+
+  void print_bars(NodeId id) {
+    NodeId inner = child(id, 0);
+    while (tree_.node(inner).kind == NodeKind::Group) inner = child(inner, 0);
+    const bool is_nested = tree_.node(inner).kind == NodeKind::Bars;
+    write(is_nested ? "|(" : "|");
+    print(inner);
+    write(is_nested ? ")|" : "|");
   }
 
   void print_root(NodeId id) {

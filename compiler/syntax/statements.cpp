@@ -109,7 +109,9 @@ class Splitter {
   }
 
   bool begins_left_side(uint32_t first, uint32_t relation) const {
-    return first < relation && role_of(kind(first)).begins_operand;
+    if (first >= relation) return false;
+    const TokenKind begin = kind(first);
+    return role_of(begin).begins_operand || begin == TokenKind::Bar || begin == TokenKind::DoubleBar;
   }
 
   void finish(uint32_t end) {

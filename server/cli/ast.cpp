@@ -20,6 +20,11 @@ struct AstOptions {
   std::string output = "-";
 };
 
+std::string group_title(TokenKind opener) {
+  if (opener == TokenKind::OpenParen) return "( )";
+  return opener == TokenKind::OpenBracket ? "[ ]" : "{ }";
+}
+
 std::string node_title(const ParsedBlock& block, NodeId id) {
   const Node& node = block.tree.node(id);
   switch (node.kind) {
@@ -27,9 +32,13 @@ std::string node_title(const ParsedBlock& block, NodeId id) {
     case NodeKind::Name:
       return std::string(block.node_text(id));
     case NodeKind::Group:
-      return block.token_text(node.token) == "(" ? "( )" : "{ }";
+      return group_title(block.tokens[node.token].kind);
     case NodeKind::Tuple:
       return "( , )";
+    case NodeKind::Bars:
+      return "| |";
+    case NodeKind::Angles:
+      return "⟨ ⟩";
     case NodeKind::Prefix:
     case NodeKind::Infix:
     case NodeKind::Fraction:

@@ -124,6 +124,11 @@ class BracketReader {
       case TokenKind::OpenBracket:
       case TokenKind::OpenSet:
       case TokenKind::CloseSet:
+      case TokenKind::OpenAngle:
+      case TokenKind::CloseAngle:
+      case TokenKind::Bar:
+      case TokenKind::DoubleBar:
+      case TokenKind::Over:
       case TokenKind::Relation:
       case TokenKind::Ampersand:
       case TokenKind::Gap:

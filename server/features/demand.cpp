@@ -34,7 +34,8 @@ class DemandReader {
         case TokenKind::OpenParen:
         case TokenKind::OpenBrace:
         case TokenKind::OpenBracket:
-        case TokenKind::OpenSet: {
+        case TokenKind::OpenSet:
+        case TokenKind::OpenAngle: {
           if (brackets_.empty()) return std::nullopt;
           const OpenBracket bracket = brackets_.back();
           brackets_ = brackets_.first(brackets_.size() - 1);
@@ -59,6 +60,10 @@ class DemandReader {
         case TokenKind::CloseBrace:
         case TokenKind::CloseBracket:
         case TokenKind::CloseSet:
+        case TokenKind::CloseAngle:
+        case TokenKind::Bar:
+        case TokenKind::DoubleBar:
+        case TokenKind::Over:
         case TokenKind::Relation:
         case TokenKind::Unknown:
         case TokenKind::End:

@@ -36,6 +36,8 @@ bool is_compound(NodeKind kind) {
   switch (kind) {
     case NodeKind::Group:
     case NodeKind::Tuple:
+    case NodeKind::Bars:
+    case NodeKind::Angles:
     case NodeKind::Prefix:
     case NodeKind::Infix:
     case NodeKind::Fraction:

@@ -27,6 +27,8 @@ bool is_literal(const ParsedBlock& block, NodeId node) {
       return std::ranges::all_of(block.tree.children(node), [&](NodeId child) { return is_number(block, child); });
     case NodeKind::Name:
     case NodeKind::Group:
+    case NodeKind::Bars:
+    case NodeKind::Angles:
     case NodeKind::Infix:
     case NodeKind::Fraction:
     case NodeKind::Root:

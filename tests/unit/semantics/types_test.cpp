@@ -40,7 +40,7 @@ constexpr auto kGrids = std::to_array<Grid>({
     {Operator::Multiply, {"RVCT", "VR-R", "C-CC", "TRCC"}},
     {Operator::SideBySide, {"RVCT", "V---", "C-CC", "T-CC"}},
     {Operator::Divide, {"R-CC", "V---", "C-CC", "T-CC"}},
-    {Operator::Cross, {"----", "-V-V", "----", "-V-V"}},
+    {Operator::Cross, {"RVCT", "VV-V", "C-CC", "TVCV"}},
     {Operator::Power, {"R-CC", "----", "C-CC", "C-CC"}},
 });
 
@@ -85,7 +85,7 @@ TEST(OperatorRules, GiveTheResultThatEveryTypeOfAnUnknownOperandHas) {
 TEST(OperatorRules, GiveAllResultsOfOpenOperands) {
   const TypeSet open = TypeSet::any_value();
   EXPECT_EQ(results(Operator::Multiply, open, open), open);
-  EXPECT_EQ(results(Operator::Cross, open, open), TypeSet(Type::Vector));
+  EXPECT_EQ(results(Operator::Cross, open, open), open);
   EXPECT_EQ(results(Operator::Divide, open, Type::Vector), TypeSet());
 }
 

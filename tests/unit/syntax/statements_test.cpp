@@ -80,8 +80,34 @@ constexpr Case kDisplays[] = {
     {"1 + 2 = f", " E2007/error"},
     {"a = [1 + \\{2 + 3\\}] 4", "a=((1+(2+3))*4)"},
     {"a = 1, 2", "? E2002/error"},
+    {"a = b \\\\ |x|^2 = c", "a=b E2007/hint"},
 };
 INSTANTIATE_TEST_SUITE_P(Displays, Align, testing::ValuesIn(kDisplays));
+
+constexpr Case kNotation[] = {
+    {"a = |x|", "a=|x|"},
+    {"a = |x||y| + ||x||", "a=((|x|*|y|)+|x|)"},
+    {"a = \\|x\\| \\lVert y \\rVert \\left|z\\right|", "a=((|x|*|y|)*|z|)"},
+    {"a = |b(|x| + 1)|", "a=|b((|x|+1))|"},
+    {"a = |(|x|)|", "a=|(|x|)|"},
+    {"a = 2|x|^2", "a=(2*(|x|^2))"},
+    {"a = \\cos|x|", "a=\\cos(|x|)"},
+    {"a = |x", "? E2003/error"},
+    {"a = |x|)", "? E2004/error"},
+    {"a = \\|x|", "? E2001/error"},
+    {"a = \\langle x \\cdot y \\rangle^2 \\left<x, y\\right>", "a=((\\langle(x*y)\\rangle^2)*\\langle x,y\\rangle)"},
+    {"a = \\langle x, y, z \\rangle", "? E2002/error"},
+    {"a = \\langle x", "? E2003/error"},
+    {"a = {k+1 \\over 2\\pi} b", "a=(((k+1)/(2*\\pi))*b)"},
+    {"a = \\frac12 \\frac\\rho\\pi \\tfrac1{2} \\dfrac{1}2 \\frac x y",
+     "a=(((((1/2)*(\\rho/\\pi))*(1/2))*(1/2))*(x/y))"},
+    {"a = \\frac ab", "? E2016/error"},
+    {"a = {} + b {} \\times c", "a=((+b)\\times c)"},
+    {"\\boxed{a = \\frac{1}{2}}", "a=(1/2)"},
+    {"a = \\Bigl[ b \\Bigr]", "a=b"},
+    {"a = \\exp[b] \\max\\{1, 2\\}", "a=(\\exp(b)*\\max(1,2))"},
+};
+INSTANTIATE_TEST_SUITE_P(Notation, Align, testing::ValuesIn(kNotation));
 
 TEST(InlineMathematics, defines_or_is_prose) {
   EXPECT_EQ(read("$a = 0.5$"), "a=0.5");
