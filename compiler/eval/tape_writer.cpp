@@ -106,7 +106,9 @@ class TapeWriter {
 
   static uint32_t size_of(const RegisterTape::List& list) { return static_cast<uint32_t>(list.instructions.size()); }
 
+  /// Of what no root demands the operands have no registers.
   void write_step(const Step& step) {
+    if (demanded_[step.value.value] == 0) return;
     if (depth_ == 0) list_ = uniform_[step.value.value] ? &tape_.prologue : &tape_.body;
     switch (step.kind) {
       case Step::Kind::Compute:

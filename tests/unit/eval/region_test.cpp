@@ -173,6 +173,18 @@ TEST(Reduction, NestsWithBoundsThatDependOnTheOuterVariable) {
   expect_value(graph, {spread(0.5)}, spread(expected), "nested");
 }
 
+TEST(Select, InAComponentThatNothingNeeds) {
+  Graph graph;
+  const ValueId p = real_parameter(graph, 0);
+  const ValueId one = graph.constant(1);
+  const ValueId selected =
+      graph.add(Op::Select, {graph.add(Op::Less, {p, one}), graph.add(Op::Sqrt, {p}), graph.add(Op::Exp, {p})});
+  const ValueId sum = reduce(graph, Op::Sum, p, graph.constant(3), [&](ValueId i) { return i; });
+  const ValueId vector = graph.add(Op::MakeVector, {selected, sum, p});
+  graph.roots = {graph.add(Op::Component, {graph.add(Op::Multiply, {vector, p})}, 2)};
+  expect_value(graph, {spread(3)}, spread(9), "third component");
+}
+
 TEST(Reduction, OfVectors) {
   Graph graph;
   const ValueId colour = graph.leaf(Op::Parameter, Type::Colour, 0);
