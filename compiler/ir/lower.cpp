@@ -220,12 +220,32 @@ class Lowering {
   }
 
   ValueId call(NodeId node) {
-    std::vector<ValueId> arguments;
-    for (const NodeId child : block_.tree.children(node).subspan(1)) arguments.push_back(value(child));
-    const Referent& callee = referent(block_.tree.child(node, 0));
-    require(callee.kind == Referent::Kind::Definition, "a call of what is no definition in a sound definition");
-    return graph_.leaf(Op::Call, type(node), callee.index, arguments);
+    const std::span<const NodeId> arguments = block_.tree.children(node).subspan(1);
+    const bool has_spread = std::ranges::any_of(arguments, [this](NodeId argument) { return is_spread(argument); });
+    if (!has_spread) return plain_call(node, [this](NodeId argument) { return value(argument); });
+    return graph_.add(Op::MakeVector, {component_call(node, 0), component_call(node, 1), component_call(node, 2)});
   }
+
+  template <typename ValueOf>
+  ValueId plain_call(NodeId node, ValueOf value_of) {
+    std::vector<ValueId> arguments;
+    for (const NodeId child : block_.tree.children(node).subspan(1)) arguments.push_back(value_of(child));
+    const NodeId name = block_.tree.child(node, 0);
+    const Referent& callee = referent(name);
+    require(callee.kind == Referent::Kind::Definition, "a call of what is no definition in a sound definition");
+    return graph_.leaf(Op::Call, type(name), callee.index, arguments);
+  }
+
+  /// One component of a call with colours for real parameters.
+  ValueId component_call(NodeId node, uint32_t component) {
+    const ValueId result = plain_call(node, [&](NodeId argument) {
+      const ValueId whole = value(argument);
+      return is_spread(argument) ? graph_.add(Op::Component, {whole}, component) : whole;
+    });
+    return is_triple(graph_.at(result).type) ? graph_.add(Op::Component, {result}, component) : result;
+  }
+
+  bool is_spread(NodeId argument) const { return std::ranges::binary_search(checked_.spread_arguments, argument); }
 
   const ParsedBlock& block_;
   const DefinitionSyntax& definition_;

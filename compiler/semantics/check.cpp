@@ -26,6 +26,7 @@ class DefinitionCheck {
     body_ = resolve_names(view_, checked_);
     TypedBody typed = read_body();
     checked_.types = std::move(typed.types);
+    checked_.spread_arguments = std::move(typed.spread_arguments);
     if (view_.syntax.readable) append(std::move(typed.diagnostics));
     checked_.sound = !is_faulty() && !typed.holds_unknown;
     finish();
@@ -61,6 +62,7 @@ class DefinitionCheck {
     Reading best = best_reading(known);
     if (best.is_certain()) {
       decide(best.parameters);
+      checked_.signature.spreads = spread_parameters(best.parameters);
       return std::move(best.body);
     }
     // A body that is in error, or holds what is, says nothing about its parameters.
@@ -93,6 +95,23 @@ class DefinitionCheck {
       if (n.kind == NodeKind::Infix && view_.token(n.token).kind == TokenKind::Cross) return true;
     }
     return false;
+  }
+
+  /// Those that the body takes component by component where they are colours. What it makes of several colours follows
+  /// from what it makes of each: wherever one may stand beside a real it may stand beside another.
+  uint64_t spread_parameters(const std::vector<Type>& types) const {
+    uint64_t found = 0;
+    const size_t count = std::min<size_t>(types.size(), 64);
+    if (count * view_.slot_count() > kMaxInferenceSteps) return found;
+    for (size_t i = 0; i < count; ++i) {
+      if (!checked_.parameters[i].inferred || types[i] != Type::Real) continue;
+      std::vector<Type> with_colour = types;
+      with_colour[i] = Type::Colour;
+      const Reading reading = read_as(std::move(with_colour));
+      const Type result = reading.body.types[view_.slot(view_.syntax.body)];
+      if (reading.is_certain() && result == Type::Colour) found |= uint64_t{1} << i;
+    }
+    return found;
   }
 
   void decide(const std::vector<Type>& types) {
@@ -146,6 +165,7 @@ class DefinitionCheck {
     signature.is_function = view_.node(view_.syntax.left).kind == NodeKind::Signature;
     signature.parameters = parameter_types();
     if (view_.syntax.readable) signature.result = result_type();
+    if (signature.result == Type::Vector) signature.spreads = 0;
     if (checked_.sound) hint_unused_parameters();
     checked_.referents = std::move(body_.referents);
     write_left_types();

@@ -51,7 +51,8 @@ struct CheckedDefinition {
   std::vector<CheckedParameter> parameters;
   std::vector<Type> types;
   std::vector<Referent> referents;
-  std::vector<Diagnostic> diagnostics;  ///< spans relative to the block, Location::block not set
+  std::vector<NodeId> spread_arguments;  ///< colours for real parameters (Signature::spreads), in order
+  std::vector<Diagnostic> diagnostics;   ///< spans relative to the block, Location::block not set
   /// Nothing in the definition is in error, and all its types are known: it can be lowered. What it uses may be in
   /// error.
   bool sound = false;

@@ -56,13 +56,19 @@ class PossibleTypes {
   TypeSet call(NodeId id, const Signature& signature, const std::vector<TypeSet>& values) {
     const std::span<const NodeId> arguments = view_.block.tree.children(id).subspan(1);
     const size_t count = std::min(arguments.size(), signature.parameters.size());
-    TypeSet found = signature.result;
+    TypeSet found;
+    bool may_be_plain = true;
     for (size_t i = 0; i < count; ++i) {
       const Type expected = signature.parameters[i];
-      const TypeSet got = values[view_.slot(arguments[i])];
-      found = found | (expected == Type::Error ? Type::Error : accept(got, TypeSet::fitting(expected)) & Type::Error);
+      const bool is_spread = signature.is_spread(i);
+      const TypeSet all = is_spread ? TypeSet::componentwise() : TypeSet::fitting(expected);
+      const TypeSet got = accept(values[view_.slot(arguments[i])], expected == Type::Error ? TypeSet::all() : all);
+      if (got.contains(Type::Error) || expected == Type::Error) found = found | Type::Error;
+      if (!is_spread) continue;
+      may_be_plain = may_be_plain && !(got & (TypeSet(Type::Real) | Type::Error)).empty();
+      if (got.contains(Type::Colour) || got.contains(Type::Tuple)) found = found | Type::Colour;
     }
-    return found;
+    return may_be_plain ? found | signature.result : found;
   }
 
  private:

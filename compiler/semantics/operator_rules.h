@@ -27,6 +27,7 @@ class TypeSet {
   constexpr TypeSet(Type type) : bits_(bit(type)) {}  // NOLINT(google-explicit-constructor)
   /// What a parameter may be while nothing is known of it.
   static constexpr TypeSet any_value() { return TypeSet(Type::Real) | TypeSet(Type::Vector); }
+  static constexpr TypeSet all() { return from_bits(UINT8_MAX); }
   /// What elementary functions take.
   static constexpr TypeSet triples() { return TypeSet(Type::Vector) | Type::Colour | Type::Tuple; }
   static constexpr TypeSet componentwise() { return TypeSet(Type::Real) | Type::Colour | Type::Tuple; }

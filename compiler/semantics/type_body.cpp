@@ -1,5 +1,6 @@
 #include "semantics/type_body.h"
 
+#include <algorithm>
 #include <string>
 
 #include "semantics/type_walk.h"
@@ -106,18 +107,26 @@ class OneType {
     }
     const size_t reported = typed_.diagnostics.size();
     bool is_known = true;
+    bool may_be_spread = false;
+    bool is_spread = false;
     for (size_t i = 0; i < arguments.size(); ++i) {
       const Type expected = signature.parameters[i];
       const Type got = values[view_.slot(arguments[i])];
       if (expected == Type::Error || got == Type::Error) {
         is_known = false;
+        may_be_spread = may_be_spread || signature.is_spread(i);
+      } else if (signature.is_spread(i) && is_triple(got) && is_componentwise(got)) {
+        is_spread = true;
+        typed_.spread_arguments.push_back(arguments[i]);
       } else if (!fits(got, expected)) {
         report(Code::ArgumentType, view_.at(view_.without_groups(arguments[i])),
                {ordinal(i + 1), view_.name_text(children[0]), symbol(expected), symbol(got)});
       }
     }
     if (typed_.diagnostics.size() > reported) return Type::Error;
-    return is_known ? signature.result : of_unknown(signature.result);
+    const Type result = is_spread ? Type::Colour : signature.result;
+    if (is_known) return result;
+    return of_unknown(may_be_spread && result != Type::Colour ? Type::Error : result);
   }
 
  private:
@@ -169,11 +178,14 @@ TypedBody type_body(const DefinitionView& view, const ResolvedBody& body, std::v
     TypeWalk<OneType>(view, body, domain).run(typed.types);
     return typed;
   };
-  TypedBody typed = walk({.types = std::move(leaves), .diagnostics = {}}, UnknownOperand::MayNotMatter);
+  TypedBody typed =
+      walk({.types = std::move(leaves), .diagnostics = {}, .spread_arguments = {}}, UnknownOperand::MayNotMatter);
+  std::ranges::sort(typed.spread_arguments);
   if (typed.types[view.slot(view.syntax.body)] == Type::Error) typed.holds_unknown = true;
   if (typed.holds_unknown) {
     // The leaves still stand among the types.
-    typed.diagnostics = walk({.types = typed.types, .diagnostics = {}}, UnknownOperand::Matters).diagnostics;
+    typed.diagnostics =
+        walk({.types = typed.types, .diagnostics = {}, .spread_arguments = {}}, UnknownOperand::Matters).diagnostics;
   }
   return typed;
 }

@@ -13,7 +13,8 @@ namespace texbrdf {
 struct TypedBody {
   std::vector<Type> types;
   std::vector<Diagnostic> diagnostics;
-  bool holds_unknown = false;  ///< the body, an operand or an argument has no known type
+  std::vector<NodeId> spread_arguments;  ///< as in CheckedDefinition
+  bool holds_unknown = false;            ///< the body, an operand or an argument has no known type
 };
 
 /// `leaves`: body.leaves, which may be given away where it is not needed again.

@@ -38,6 +38,11 @@ struct Signature {
   bool is_function = false;
   std::vector<Type> parameters;
   Type result = Type::Error;
+  /// By position, one bit each: real parameters that the body takes component by component where they are colours. A
+  /// call with a colour there is one call for each component, and gives a colour.
+  uint64_t spreads = 0;
+
+  bool is_spread(size_t position) const { return position < 64 && ((spreads >> position) & 1) != 0; }
   friend bool operator==(const Signature&, const Signature&) = default;
 };
 

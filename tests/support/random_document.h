@@ -25,6 +25,7 @@ class RandomDocument {
 
   std::string make() {
     for (int i = 0; i < options_.parameters; ++i) add_parameter();
+    add_function_of_components();
     for (int i = 0; i < options_.functions; ++i) add_function();
     for (int i = 0; i < options_.definitions; ++i) add_definition();
     add_root();
@@ -160,6 +161,17 @@ class RandomDocument {
     }
     add_block(left + ")", expression_of(function.result, scope));
     functions_.push_back(function);
+  }
+
+  /// A function of reals that takes colours too.
+  void add_function_of_components() {
+    static const std::vector<std::string> bodies{"0.3 * (x * y + (1 - x) y^2)",
+                                                 "\\frac{x}{2 + y} * 0.5 + 0.2 * \\exp(-y)",
+                                                 "\\max(x, y, 0.2) \\sqrt{2 + x} / 2"};
+    const std::string name = next_name();
+    if (is_vector_name(name)) return;
+    add_block(name + "(x, y)", random_.one_of(bodies));
+    of_components_.push_back(name);
   }
 
   static void hide(Scope& scope, const std::string& name) {
@@ -307,9 +319,14 @@ class RandomDocument {
     const int next = depth - 1;
     const auto inner = [&] { return colour(scope, next); };
     const auto positive_colour = [&] { return group("2 + " + inner()); };
-    switch (random_.below(16)) {
+    switch (random_.below(18)) {
       case 0:
         return tuple(scope, next);
+      case 15:
+      case 16:
+        if (of_components_.empty()) return tuple(scope, next);
+        return random_.one_of(of_components_) + "(" + inner() + ", " +
+               (random_.chance(0.5) ? inner() : real(scope, next)) + ")";
       case 1:
         return group(inner() + (random_.chance(0.5) ? " * " : " \\cdot ") + inner());
       case 2:
@@ -405,6 +422,7 @@ class RandomDocument {
   Scope document_;
   std::vector<Function> functions_;
   std::vector<Equation> equations_;
+  std::vector<std::string> of_components_;  ///< functions of two reals or colours
 };
 
 inline std::string random_document(uint64_t seed, const RandomDocumentOptions& options = {}) {

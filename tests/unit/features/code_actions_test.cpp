@@ -60,12 +60,29 @@ struct Mend {
   std::string mended;
 };
 
+TEST(CodeActions, DoNotTurnDirectionsIntoTuples) {
+  for (const char* expression :
+       {"\\vec{n} + 1", "\\exp(\\vec{1, 0, 0} \\times \\vec{n})", "(\\vec{1, 0, 0} + \\omega_i) - 1"}) {
+    Document document(equation("f = " + std::string(expression)));
+    EXPECT_EQ(titles(all_actions(document)), "") << expression;
+  }
+}
+
 TEST(CodeActions, MendWhatTheyAreFor) {
   const Mend mends[] = {
       {equation("a = 1") + equation("f = a*pi"), "replace by `\\pi`", equation("a = 1") + equation("f = a*\\pi")},
       {equation("f = \\sine(1)"), "replace by `\\sin`", equation("f = \\sin(1)")},
       {equation("f = 2 3"), "insert `\\cdot`", equation("f = 2 \\cdot 3")},
       {equation("f = \\vec{n}\\vec{h}"), "insert `\\cdot`", equation("f = \\vec{n}\\cdot \\vec{h}")},
+      {equation("f = 1 - \\vec{0.5, 0.2, 0.1}"), "write `(0.5, 0.2, 0.1)`, which may be a colour",
+       equation("f = 1 - (0.5, 0.2, 0.1)")},
+      {equation("a = \\vec{0.5, 0.2, 0.1}") + equation("f = \\exp(-2a/3)"),
+       "write `(0.5, 0.2, 0.1)`, which may be a colour",
+       equation("a = (0.5, 0.2, 0.1)") + equation("f = \\exp(-2a/3)")},
+      {equation("a = \\vec{1, 0, 0}") + equation("f = a a"), "write `(1, 0, 0)`, which may be a colour",
+       equation("a = (1, 0, 0)") + equation("f = a a")},
+      {equation("f = \\frac{1}{\\vec{1,0,0} + \\vec{0,1,1}}"),
+       "write tuples `(…)` for `\\vec{…}`, which may be colours", equation("f = \\frac{1}{(1,0,0) + (0,1,1)}")},
       {equation("f = 1/4\\pi"), "put all of it below the line", equation("f = 1/(4\\pi)")},
       {equation("f = 1/4\\pi"), "put the quotient in parentheses", equation("f = (1/4)\\pi")},
       {equation("f = \\cos\\pi\\theta_i"), "put the operand in parentheses", equation("f = \\cos(\\pi\\theta_i)")},

@@ -54,6 +54,7 @@ TEST(ParameterEdit, KeepsTheNotationOfTheDocument) {
   EXPECT_EQ(written("-0.5", {0.25}, " % range [-1, 1]"), "0.25");
   EXPECT_EQ(written("2e-3", {0.005}, " % range [0, 1]"), "5e-3");
   EXPECT_EQ(written("2e-3", {20}, " % range [0, 1]"), "2e1");
+  EXPECT_EQ(written("(0.5, .25, 0)", {0.5, 0.75, 1}), "(0.5, .75, 1)");
 }
 
 TEST(ParameterEdit, RoundsToWhatASliderCanMean) {
