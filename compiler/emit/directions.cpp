@@ -59,7 +59,7 @@ class DirectionValues {
 };
 
 constexpr std::array kPolarAngles{Convention::ThetaI, Convention::ThetaO, Convention::ThetaH, Convention::ThetaD};
-constexpr std::array kAzimuths{Convention::PhiI, Convention::PhiO};
+constexpr std::array kAzimuths{Convention::PhiI, Convention::PhiO, Convention::PhiH};
 
 Graph with_angles_as_arccosines(const Graph& graph) {
   return ir::rewrite(graph, [&](Graph& result, ValueId id, std::span<const ValueId> operands) {

@@ -164,6 +164,7 @@ ExpressionId ExpressionWriter::convention(ValueId id) {
       return pool_.call("acos", {clamped(dot_operands(id, 0, 1))});
     case Convention::PhiI:
     case Convention::PhiO:
+    case Convention::PhiH:
       return pool_.call("atan", {dot_operands(id, 2, 1), dot_operands(id, 2, 0)});
     case Convention::Pi:
       return number(kPi);

@@ -192,7 +192,7 @@ class RangeFinder {
 
   static Range convention(Convention id) {
     if (auto constant = convention_constant(id)) return {*constant, *constant, false};
-    bool azimuth = id == Convention::PhiI || id == Convention::PhiO;
+    bool azimuth = id == Convention::PhiI || id == Convention::PhiO || id == Convention::PhiH;
     return {azimuth ? -kHalfTurn : 0, kHalfTurn, false};
   }
 

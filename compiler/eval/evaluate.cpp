@@ -252,7 +252,8 @@ class Walk {
       case Convention::ThetaD:
         return spread(angle_between(a(), b()));
       case Convention::PhiI:
-      case Convention::PhiO: {
+      case Convention::PhiO:
+      case Convention::PhiH: {
         const Triple& direction = operand(id, 2);
         return spread(arctan2(dot(direction, b()), dot(direction, a())));
       }

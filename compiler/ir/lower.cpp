@@ -152,6 +152,8 @@ class Lowering {
         return convention(static_cast<Convention>(target.index));
       case Referent::Kind::Parameter:
         return formal(target.index);
+      case Referent::Kind::Angle:
+        return angle(angle_of_parameter(target));
       case Referent::Kind::None:
         break;
     }
@@ -159,6 +161,15 @@ class Lowering {
   }
 
   ValueId formal(uint32_t position) { return graph_.leaf(Op::Formal, checked_.parameters[position].type, position); }
+
+  ValueId angle(ParameterAngle angle) {
+    const ValueId direction = formal(angle.position);
+    if (angle.kind == Convention::ThetaI) {
+      return graph_.convention(angle.kind, std::array{convention(Convention::Normal), direction});
+    }
+    const ValueId tangent = convention(Convention::Tangent);
+    return graph_.convention(angle.kind, std::array{tangent, convention(Convention::Bitangent), direction});
+  }
 
   /// At most three levels deep: \theta_h is made of \vec{h}, which is made of the two directions.
   ValueId convention(Convention id) {

@@ -20,7 +20,8 @@ struct DefinitionView {
   const Node& node(NodeId id) const { return block.tree.node(id); }
   const Token& token(uint32_t index) const { return block.tokens[index]; }
   NameId name(NodeId id) const { return names.by_node[id.value]; }
-  std::string name_text(NodeId id) const { return shown_name(table.text(name(id))); }
+  /// As it is written here, where that is short.
+  std::string name_text(NodeId id) const { return shown_spelling(block.node_text(id), table.text(name(id))); }
   std::string defined_text() const { return name_text(syntax.name); }
   /// Place of a node in the definition's side tables.
   uint32_t slot(NodeId id) const { return id.value - syntax.first_node; }

@@ -56,8 +56,44 @@ class DefinitionCheck {
   }
 
   TypedBody read_body() {
+    const std::vector<uint32_t> bold = bold_parameters();
+    TypedBody typed = read_as_spelled(bold.empty());
+    const bool fits = typed.diagnostics.empty();
+    if (bold.empty() || fits || is_faulty()) return typed;
+    for (const uint32_t position : bold) checked_.parameters[position].type = Type::Error;
+    Reading best = best_reading(parameter_types());
+    if (!best.is_certain()) {
+      for (const uint32_t position : bold) checked_.parameters[position].type = Type::Vector;
+      return typed;
+    }
+    decide(best.parameters);
+    return std::move(best.body);
+  }
+
+  /// A `\vec` is a vector always, and so is what papers call a direction; other decorations may be of a number too.
+  std::vector<uint32_t> bold_parameters() const {
+    std::vector<uint32_t> bold;
+    for (uint32_t i = 0; i < checked_.parameters.size(); ++i) {
+      const CheckedParameter& parameter = checked_.parameters[i];
+      const bool is_free = parameter.type == Type::Vector && parameter.shadowed.empty() && !has_angle(i);
+      const bool is_decorated =
+          is_free && view_.table.traits(parameter.name).is_vector && !view_.table.traits(parameter.name).usual_meaning;
+      if (is_decorated && !view_.block.node_text(parameter.node).starts_with("\\vec")) bold.push_back(i);
+    }
+    return bold;
+  }
+
+  bool has_angle(uint32_t position) const {
+    return std::ranges::any_of(body_.referents, [&](const Referent& referent) {
+      return referent.kind == Referent::Kind::Angle && angle_of_parameter(referent).position == position;
+    });
+  }
+
+  TypedBody read_as_spelled(bool is_last_reading) {
     const std::vector<Type> known = parameter_types();
-    if (!has_open_parameters()) return type_body(view_, body_, std::move(body_.leaves), known);
+    if (!has_open_parameters()) {
+      return type_body(view_, body_, is_last_reading ? std::move(body_.leaves) : body_.leaves, known);
+    }
     if (is_faulty()) return read_as(known).body;
     Reading best = best_reading(known);
     if (best.is_certain()) {
@@ -186,13 +222,18 @@ class DefinitionCheck {
     for (uint32_t node = view_.body_begin(); node < view_.body_end(); ++node) {
       const Referent& referent = body_.referents[view_.slot(NodeId{node})];
       if (referent.kind == Referent::Kind::Parameter) is_used[referent.index] = true;
+      if (referent.kind == Referent::Kind::Angle) is_used[angle_of_parameter(referent).position] = true;
     }
     for (size_t i = 0; i < is_used.size(); ++i) {
       const CheckedParameter& parameter = checked_.parameters[i];
-      if (is_used[i] || !parameter.shadowed.empty() || !parameter.name.valid()) continue;
+      if (is_used[i] || !parameter.name.valid() || is_direction(view_.table.traits(parameter.name))) continue;
       checked_.diagnostics.push_back(
           make_diagnostic(Code::UnusedParameter, view_.at(parameter.node), {view_.name_text(parameter.node)}));
     }
+  }
+
+  static bool is_direction(const NameTraits& traits) {
+    return traits.convention || (traits.usual_meaning && traits.is_vector);
   }
 
   void write_left_types() {

@@ -29,11 +29,23 @@ class Facts {
 
 /// What a Name node refers to.
 struct Referent {
-  enum class Kind : uint8_t { None, Definition, Convention, Parameter };
+  enum class Kind : uint8_t { None, Definition, Convention, Parameter, Angle };
   Kind kind = Kind::None;
-  uint32_t index = 0;  ///< NameId::value, Convention, or the parameter's position
+  uint32_t index = 0;  ///< NameId::value, Convention, the parameter's position, or see `angle_of_parameter`
   friend bool operator==(const Referent&, const Referent&) = default;
 };
+
+/// The angle of a direction that is a parameter: `\theta_m` in `D(\vec{m})`.
+struct ParameterAngle {
+  Convention kind = Convention::ThetaI;  ///< ThetaI or PhiI, made of the parameter instead of \omega_i
+  uint32_t position = 0;
+};
+constexpr Referent angle_referent(ParameterAngle angle) {
+  return {Referent::Kind::Angle, angle.position * 2 + (angle.kind == Convention::PhiI ? 1 : 0)};
+}
+constexpr ParameterAngle angle_of_parameter(Referent referent) {
+  return {referent.index % 2 == 1 ? Convention::PhiI : Convention::ThetaI, referent.index / 2};
+}
 
 /// One parameter of a function, in order.
 struct CheckedParameter {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace texbrdf {
 namespace {
@@ -65,7 +66,32 @@ std::vector<ConventionEntry> make_entries() {
   return entries;
 }
 
+std::vector<UsualName> make_usual_names() {
+  constexpr std::pair<Convention, std::string_view> kTable[] = {
+#define USUAL_NAME(convention, spellings) {Convention::convention, spellings},
+#include "semantics/usual_names.def"
+#undef USUAL_NAME
+  };
+  std::vector<UsualName> names;
+  for (const auto& [meaning, spellings] : kTable) {
+    for (std::string_view spelling : split_words(spellings)) names.push_back({spelling, meaning});
+  }
+  std::ranges::sort(names, {}, &UsualName::spelling);
+  return names;
+}
+
 }  // namespace
+
+std::span<const UsualName> usual_names() {
+  static const std::vector<UsualName> names = make_usual_names();
+  return names;
+}
+
+std::optional<Convention> find_usual_name(std::string_view canonical) {
+  const auto found = std::ranges::lower_bound(usual_names(), canonical, {}, &UsualName::spelling);
+  if (found == usual_names().end() || found->spelling != canonical) return std::nullopt;
+  return found->meaning;
+}
 
 std::span<const ConventionEntry> conventions() {
   static const std::vector<ConventionEntry> entries = make_entries();

@@ -20,7 +20,7 @@ enum class Convention : uint8_t {
 struct ConventionEntry {
   Convention id;
   Type type;
-  std::vector<std::string_view> spellings;  ///< canonical forms; empty for the tangent frame, which has no name yet
+  std::vector<std::string_view> spellings;  ///< canonical forms; empty for what has usual names only
   std::vector<Convention> operands;
   std::string_view symbol;
   std::string_view formula;
@@ -33,6 +33,16 @@ std::span<const ConventionEntry> conventions();
 bool depends_on(Convention convention, std::span<const Convention> others);
 /// By the canonical form of a name.
 std::optional<Convention> find_convention(std::string_view canonical);
+
+/// A name that papers use without defining it, from usual_names.def.
+struct UsualName {
+  std::string_view spelling;  ///< canonical form
+  Convention meaning;
+};
+
+/// By spelling, in order.
+std::span<const UsualName> usual_names();
+std::optional<Convention> find_usual_name(std::string_view canonical);
 
 inline constexpr double kPi = 3.141592653589793;
 inline constexpr double kEpsilon = 1.192092896e-07;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "semantics/implied_angle.h"
 #include "syntax/brackets.h"
 
 namespace texbrdf {
@@ -67,7 +68,20 @@ class FactorSearch {
   bool is_value(const DefinitionSyntax& definition, NameId name) const {
     if (is_parameter(definition, name)) return true;
     const NameKind kind = kind_of_(name);
-    return kind == NameKind::Value || (kind == NameKind::Absent && table_.traits(name).convention);
+    if (kind != NameKind::Absent) return kind == NameKind::Value;
+    return table_.traits(name).meaning() || is_angle_of_parameter(definition, name);
+  }
+
+  bool is_angle_of_parameter(const DefinitionSyntax& definition, NameId name) const {
+    if (definition.left == definition.name) return false;
+    const std::optional<ImpliedAngle> angle = implied_angle(table_.text(name));
+    if (!angle) return false;
+    if (angle->label.empty()) return true;
+    const std::span<const NodeId> parameters = block_.tree.children(definition.left).subspan(1);
+    return std::ranges::any_of(parameters, [&](NodeId node) {
+      const NameId parameter = names_.by_node[node.value];
+      return parameter.valid() && direction_label(table_.text(parameter)) == angle->label;
+    });
   }
 
   bool is_parameter(const DefinitionSyntax& definition, NameId name) const {

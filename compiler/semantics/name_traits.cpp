@@ -50,6 +50,7 @@ bool is_reserved_word(std::string_view word) {
 NameTraits name_traits(std::string_view canonical) {
   NameTraits traits;
   traits.convention = find_convention(canonical);
+  if (!traits.convention) traits.usual_meaning = find_usual_name(canonical);
   const bool is_direction = traits.convention == Convention::OmegaI || traits.convention == Convention::OmegaO;
   traits.is_vector = canonical.starts_with(kVec) || is_direction;
   traits.may_be_brdf = canonical == "f" || canonical.starts_with("f_");

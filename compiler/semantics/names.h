@@ -47,6 +47,10 @@ std::optional<std::string> canonical_name(std::string_view spelling);
 /// A name as messages show it: the end of a very long one is left out.
 std::string shown_name(std::string_view canonical);
 
+/// A decorated name as the source spells it, so that nobody who wrote `\mathbf{n}` is told of `\vec{n}`; else the
+/// canonical form.
+std::string shown_spelling(std::string_view source, std::string_view canonical);
+
 /// Interns canonical names; ids stay valid as long as the table. One language thread writes; others may call `text`,
 /// `traits` and `find` at the same time for what was interned before they got the table.
 class NameTable {

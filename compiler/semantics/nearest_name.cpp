@@ -4,21 +4,30 @@
 #include <array>
 #include <bit>
 
+#include "syntax/control_words.h"
+
 namespace texbrdf {
 namespace {
 
 // Longer names are not compared: the time grows with the square of the length.
 constexpr size_t kLongest = 48;
 
-constexpr auto kDecorations = std::to_array<std::string_view>({"\\text", "\\mathrm", "\\vec"});
+/// The length of the command in front that only says how a name looks, or 0.
+size_t decoration_length(std::string_view text) {
+  if (!text.starts_with('\\')) return 0;
+  size_t end = 1;
+  while (end < text.size() && ((text[end] >= 'a' && text[end] <= 'z') || (text[end] >= 'A' && text[end] <= 'Z'))) ++end;
+  const WordMeaning meaning = find_control_word(text.substr(1, end - 1)).meaning;
+  const bool is_silent = meaning == WordMeaning::Text || meaning == WordMeaning::Vec ||
+                         meaning == WordMeaning::TextDeclaration || meaning == WordMeaning::VecDeclaration;
+  return is_silent ? end : 0;
+}
 
 // What is left of a name without decoration: `\rho_{\text{diff}}` gives "rho_diff".
 std::string letters_of(std::string_view name) {
   std::string letters;
   for (size_t i = 0; i < name.size(); ++i) {
-    for (std::string_view decoration : kDecorations) {
-      if (name.substr(i).starts_with(decoration)) i += decoration.size();
-    }
+    i += decoration_length(name.substr(i));
     if (i < name.size() && name[i] != '\\' && name[i] != '{' && name[i] != '}' && name[i] != ' ') letters += name[i];
   }
   return letters;

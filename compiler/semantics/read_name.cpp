@@ -101,6 +101,13 @@ std::string shown_name(std::string_view canonical) {
   return std::string(canonical.substr(0, end)) + "…";
 }
 
+std::string shown_spelling(std::string_view source, std::string_view canonical) {
+  constexpr size_t kLongest = 40;
+  const bool is_decorated = canonical.starts_with("\\vec{");
+  const bool is_plain_line = source.size() <= kLongest && source.find_first_of("\r\n\t%&") == std::string_view::npos;
+  return is_decorated && is_plain_line ? std::string(source) : shown_name(canonical);
+}
+
 std::string canonical_form(const Name& name) {
   std::string text = spelled(name);
   if (const std::optional<Convention> convention = find_convention(text)) {

@@ -1,7 +1,9 @@
 #include "semantics/resolve.h"
 
+#include "semantics/implied_angle.h"
 #include "semantics/name_spelling.h"
 #include "semantics/nearest_name.h"
+#include "semantics/number_places.h"
 #include "semantics/small_name_map.h"
 
 namespace texbrdf {
@@ -87,12 +89,48 @@ class Resolver {
       return;
     }
     const NameTraits& traits = view_.table.traits(name);
-    if (traits.convention) {
-      const auto index = static_cast<uint32_t>(*traits.convention);
-      refer(node, {Referent::Kind::Convention, index}, convention_entry(*traits.convention).type, false);
-      return;
+    if (const std::optional<ParameterAngle> angle = angle_of_parameter(name, traits)) {
+      CheckedParameter& parameter = checked_.parameters[angle->position];
+      if (parameter.inferred) parameter.type = Type::Vector;
+      refer(node, angle_referent(*angle), Type::Real, false);
+    } else if (traits.meaning() && !(traits.usual_meaning && numbers_.is_number(name))) {
+      const auto index = static_cast<uint32_t>(*traits.meaning());
+      refer(node, {Referent::Kind::Convention, index}, convention_entry(*traits.meaning()).type, false);
+    } else {
+      report_unresolved(node, traits);
     }
-    report_unresolved(node, traits);
+  }
+
+  /// What is no convention by its own spelling is the angle of the parameter whose name it bears. Where papers mean
+  /// something by the angle, or by nothing else than a number, the parameter has to look like a direction.
+  std::optional<ParameterAngle> angle_of_parameter(NameId name, const NameTraits& traits) const {
+    if (traits.convention || checked_.parameters.empty()) return std::nullopt;
+    const std::optional<ImpliedAngle> angle = implied_angle(view_.table.text(name));
+    if (!angle) return std::nullopt;
+    for (uint32_t i = 0; i < checked_.parameters.size(); ++i) {
+      const NameId parameter = checked_.parameters[i].name;
+      if (!parameter.valid() || direction_label(view_.table.text(parameter)) != angle->label) continue;
+      if (!traits.usual_meaning || looks_like_direction(parameter)) return ParameterAngle{angle->kind, i};
+    }
+    return angle->label.empty() ? angle_of_only_direction(angle->kind) : std::nullopt;
+  }
+
+  /// A bare `\theta` in `D(\vec{h})`.
+  std::optional<ParameterAngle> angle_of_only_direction(Convention kind) const {
+    std::optional<ParameterAngle> only;
+    for (uint32_t i = 0; i < checked_.parameters.size(); ++i) {
+      const NameId parameter = checked_.parameters[i].name;
+      if (!parameter.valid() || !looks_like_direction(parameter)) continue;
+      if (only) return std::nullopt;
+      only = {kind, i};
+    }
+    return only;
+  }
+
+  bool looks_like_direction(NameId parameter) const {
+    const NameTraits& traits = view_.table.traits(parameter);
+    const bool is_usual = traits.usual_meaning && convention_entry(*traits.usual_meaning).type == Type::Vector;
+    return traits.is_vector || is_usual || view_.table.text(parameter).starts_with("\\omega");
   }
 
   void refer(NodeId node, Referent referent, Type type, bool is_function) {
@@ -159,6 +197,7 @@ class Resolver {
 
   const DefinitionView& view_;
   CheckedDefinition& checked_;
+  NumberPlaces numbers_{view_};
   ResolvedBody body_;
   SmallNameMap parameter_names_;
   std::vector<uint32_t> parameter_positions_;  // of each name's first parameter

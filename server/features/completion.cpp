@@ -10,6 +10,7 @@
 #include "features/completion_text.h"
 #include "features/demand.h"
 #include "semantics/name_traits.h"
+#include "syntax/control_words.h"
 
 namespace texbrdf::features {
 namespace {
@@ -93,10 +94,21 @@ class Completer {
     CompletionItem added;
     added.kind = kind;
     added.fit = fit_of(type);
-    added.label = label;
-    added.new_text = label;
-    added.filter = filter_text(label, typed_, key_);
+    added.label = in_typed_decoration(label);
+    added.new_text = added.label;
+    added.filter = filter_text(added.label, typed_, key_);
     return added;
+  }
+
+  /// `\mathbf{n}` for somebody who has typed `\mathbf{`.
+  std::string in_typed_decoration(std::string_view label) const {
+    constexpr std::string_view kVec = "\\vec{";
+    const std::size_t brace = typed_.find('{');
+    const bool is_decorated = label.starts_with(kVec) && typed_.starts_with('\\') && brace != std::string_view::npos;
+    if (!is_decorated || find_control_word(typed_.substr(1, brace - 1)).meaning != WordMeaning::Vec) {
+      return std::string(label);
+    }
+    return std::string(typed_.substr(0, brace + 1)).append(label.substr(kVec.size()));
   }
 
   void add_parameters() {

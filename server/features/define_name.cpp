@@ -68,7 +68,7 @@ class MissingName {
   }
 
   std::string_view value() const {
-    if (name_traits(parsed_.node_text(node_)).is_vector) return "\\vec{1, 1, 1}";
+    if (is_vector_name(node_)) return "\\vec{1, 1, 1}";
     const Type type = demanded();
     if (type == Type::Vector) return "\\vec{1, 1, 1}";
     return is_triple(type) ? "(1, 1, 1)" : "1";
@@ -83,10 +83,18 @@ class MissingName {
     const bool is_name = parsed_.tree.node(argument).kind == NodeKind::Name;
     if (is_name) {
       const std::string written(parsed_.node_text(argument));
-      const bool fits = is_vector || !name_traits(written).is_vector;
-      if (fits && std::ranges::find(others, written) == others.end()) name = written;
+      const bool fits = is_vector || !is_vector_name(argument);
+      if (fits && std::ranges::find(others, written) == others.end()) {
+        name = written;
+        if (is_vector_name(argument)) return name;
+      }
     }
-    return is_vector && !name_traits(name).is_vector ? fmt::format("\\vec{{{}}}", name) : name;
+    return is_vector ? fmt::format("\\vec{{{}}}", name) : name;
+  }
+
+  bool is_vector_name(NodeId node) const {
+    const NameId name = snapshot_.names_of(block_).by_node[node.value];
+    return name.valid() && snapshot_.names().traits(name).is_vector;
   }
 
   /// From what stands in front, else from the other side of a sum.

@@ -113,7 +113,21 @@ std::string describe_convention(const Snapshot& snapshot, std::string_view name,
   for (const std::string_view parameter : followed_parameters(snapshot, inside, entry.id)) {
     page.paragraph(fmt::format("here of the parameter {}", page.code(parameter)));
   }
-  page.paragraph("a convention of the language");
+  page.paragraph(find_convention(name) ? "a convention of the language"
+                                       : "what the name usually means: nothing defines it");
+  return page.take();
+}
+
+std::string describe_angle(const Snapshot& snapshot, std::string_view name, ParameterAngle angle, DefinitionId inside,
+                           Markup markup) {
+  Page page(markup);
+  const CheckedParameter& parameter = snapshot.definition(inside).checked->parameters[angle.position];
+  const std::string_view direction = snapshot.names().text(parameter.name);
+  const bool is_azimuth = angle.kind == Convention::PhiI;
+  const std::string formula =
+      is_azimuth ? fmt::format("atan2({0}·Y, {0}·X)", direction) : fmt::format("arccos(N·{})", direction);
+  page.paragraph(fmt::format("{}: {} = {}", page.code(name), page.code(type_symbol(Type::Real)), page.code(formula)));
+  page.paragraph(fmt::format("{} of the parameter {}", is_azimuth ? "azimuth" : "polar angle", page.code(direction)));
   return page.take();
 }
 

@@ -22,5 +22,8 @@ std::string describe_expression(const Snapshot& snapshot, const Expression& expr
 /// Formula and meaning. `inside` is the definition in which it stands, whose parameters it may follow; or none.
 std::string describe_convention(const Snapshot& snapshot, std::string_view name, Convention convention,
                                 DefinitionId inside, Markup markup);
+/// An angle that is named after a parameter of `inside`.
+std::string describe_angle(const Snapshot& snapshot, std::string_view name, ParameterAngle angle, DefinitionId inside,
+                           Markup markup);
 
 }  // namespace texbrdf::features

@@ -27,6 +27,10 @@ std::optional<Hover> hover_name(const Snapshot& snapshot, const Occurrence& occu
       return Hover{describe_convention(snapshot, snapshot.names().text(occurrence.name),
                                        static_cast<Convention>(occurrence.referent.index), occurrence.inside, markup),
                    occurrence.span};
+    case Referent::Kind::Angle:
+      return Hover{describe_angle(snapshot, snapshot.names().text(occurrence.name),
+                                  angle_of_parameter(occurrence.referent), occurrence.inside, markup),
+                   occurrence.span};
     case Referent::Kind::None:
     case Referent::Kind::Definition:
       return std::nullopt;

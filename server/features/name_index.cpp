@@ -1,7 +1,8 @@
 #include "features/name_index.h"
 
 #include <algorithm>
-#include <array>
+
+#include "syntax/control_words.h"
 
 namespace texbrdf::features {
 namespace {
@@ -11,10 +12,35 @@ constexpr std::size_t kLongestName = 200;
 /// So many are put in one by one; of more, all are sorted.
 constexpr std::size_t kFewNames = 32;
 
-constexpr auto kDecorations = std::to_array<std::string_view>({"\\vec{", "\\text{", "\\mathrm{"});
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
 
+/// "\vec" or "\text" for a spelling of them that stands in front with a brace behind it, which is taken off; else
+/// empty.
+std::string_view take_decoration(std::string_view& spelling) {
+  if (!spelling.starts_with('\\')) return {};
+  std::size_t end = 1;
+  while (end < spelling.size() && is_letter(spelling[end])) ++end;
+  const WordMeaning meaning = find_control_word(spelling.substr(1, end - 1)).meaning;
+  const bool is_decoration = meaning == WordMeaning::Vec || meaning == WordMeaning::Text;
+  if (!is_decoration || end == spelling.size() || spelling[end] != '{') return {};
+  spelling.remove_prefix(end + 1);
+  return meaning == WordMeaning::Vec ? "\\vec" : "\\text";
+}
+
+/// The length of a `\text{` in front.
+std::size_t text_command_length(std::string_view spelling) {
+  std::string_view behind = spelling;
+  return take_decoration(behind) == "\\text" ? spelling.size() - behind.size() : 0;
+}
+
+/// Upright letters inside of a name are letters like others.
 void append_folded(std::string& key, std::string_view spelling) {
-  for (const char c : spelling) {
+  for (std::size_t i = 0; i < spelling.size(); ++i) {
+    if (spelling[i] == '\\') i += text_command_length(spelling.substr(i));
+    if (i >= spelling.size()) return;
+    const char c = spelling[i];
     const bool is_layout = c == '\\' || c == '{' || c == '}' || c == ' ' || c == '\t' || c == '&';
     if (!is_layout) key += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   }
@@ -23,15 +49,14 @@ void append_folded(std::string& key, std::string_view spelling) {
 }  // namespace
 
 std::string search_key(std::string_view spelling) {
-  std::string key;
-  if (spelling.starts_with('\\')) key += '\\';
+  std::string key(take_decoration(spelling));
+  if (spelling.starts_with('\\') && key.empty()) key += '\\';
   append_folded(key, spelling);
   return key;
 }
 
 std::string bare_search_key(std::string_view spelling) {
-  for (std::string_view decoration : kDecorations) {
-    if (spelling.starts_with(decoration)) spelling.remove_prefix(decoration.size());
+  while (!take_decoration(spelling).empty()) {
   }
   std::string key;
   append_folded(key, spelling);

@@ -46,6 +46,8 @@ std::optional<Occurrence> name_at(const Snapshot& snapshot, uint32_t offset) {
 std::string refusal(const Snapshot& snapshot, const Occurrence& occurrence) {
   const std::string name = text_of(snapshot, occurrence.name);
   switch (occurrence.referent.kind) {
+    case Referent::Kind::Angle:
+      return fmt::format("`{}` is named after a parameter and keeps its name", name);
     case Referent::Kind::Convention:
       return fmt::format("`{}` is a convention of the language and keeps its name", name);
     case Referent::Kind::None:
@@ -97,6 +99,11 @@ class Conflicts {
       return fmt::format("`{}` is used in `{}`, where the parameter would hide it", new_.canonical, of);
     }
     for (const Referent& referent : checked.referents) {
+      const bool is_its_angle =
+          referent.kind == Referent::Kind::Angle && angle_of_parameter(referent).position == renamed_.referent.index;
+      if (is_its_angle) {
+        return fmt::format("in `{}`, an angle is named after `{}`", of, text_of(snapshot_, renamed_.name));
+      }
       if (referent.kind != Referent::Kind::Convention) continue;
       const auto convention = static_cast<Convention>(referent.index);
       if (!depends_on(convention, parameter.shadowed)) continue;

@@ -101,10 +101,10 @@ class NameReader {
 
   void read_reference(NodeId node) {
     const NameId name = name_of(node.value);
-    const std::optional<Convention>& convention = table_.traits(name).convention;
+    const bool is_convention = table_.traits(name).meaning().has_value();
     if (std::ranges::binary_search(parameters_, name)) {
       add(node, SemanticType::Parameter, 0);
-    } else if (convention && !hidden_.contains(*convention)) {
+    } else if (is_convention && !hidden_.contains(name)) {
       add(node, SemanticType::Variable, bit(SemanticModifier::DefaultLibrary));
     } else {
       add(node, is_called_[node.value] ? SemanticType::Function : SemanticType::Variable, 0);
@@ -157,10 +157,15 @@ std::span<const std::string_view> semantic_modifier_names() {
 }
 
 HiddenConventions::HiddenConventions(const Snapshot& snapshot) {
+  const auto add = [&](std::string_view spelling) {
+    const NameId name = snapshot.names().find(spelling);
+    if (name.valid() && snapshot.find(name)) defined_.push_back(name);
+  };
   for (const ConventionEntry& entry : conventions()) {
-    if (entry.spellings.empty() || !snapshot.find(entry.spellings.front())) continue;
-    bits_ |= uint32_t{1} << static_cast<uint32_t>(entry.id);
+    if (!entry.spellings.empty()) add(entry.spellings.front());
   }
+  for (const UsualName& usual : usual_names()) add(usual.spelling);
+  std::ranges::sort(defined_);
 }
 
 std::vector<SemanticToken> block_tokens(const Snapshot& snapshot, BlockId block, const HiddenConventions& hidden) {

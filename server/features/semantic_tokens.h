@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -32,16 +33,17 @@ struct SemanticToken {
   friend bool operator==(const SemanticToken&, const SemanticToken&) = default;
 };
 
-/// All that the tokens of a block depend on outside of it: which conventions are hidden by definitions of the document.
+/// All that the tokens of a block depend on outside of it: which names of the convention the document defines.
 /// So a block's tokens can be kept as long as its parse and this stay.
 class HiddenConventions {
  public:
   explicit HiddenConventions(const Snapshot& snapshot);
-  bool contains(Convention convention) const { return ((bits_ >> static_cast<uint32_t>(convention)) & 1) != 0; }
+  /// Of a name that is a convention, or usually means one.
+  bool contains(NameId name) const { return std::ranges::binary_search(defined_, name); }
   friend bool operator==(const HiddenConventions&, const HiddenConventions&) = default;
 
  private:
-  uint32_t bits_ = 0;
+  std::vector<NameId> defined_;  ///< in order
 };
 
 /// In the order of the text, spans relative to the block. Names, numbers, operators and commands inside the block; a

@@ -177,17 +177,17 @@ TEST(EmittedCode, AvoidsWordsOfTheLanguageAndItsHosts) {
   std::string text;
   std::string sum = "f = \\cos{\\theta_h}^3 + \\vec{h} \\cdot \\vec{n}";
   for (const std::string& word : words) {
-    text += equation("\\text{" + word + "} = 0.5") +
-            equation("\\mathrm{" + word + "}(x, \\text{" + word + "}) = x + \\text{" + word + "} * \\cos\\theta_h^2");
-    sum += " + \\text{" + word + "} + \\mathrm{" + word + "}(2, \\text{" + word + "})";
+    text += equation("\\text{" + word + "} = 0.5") + equation("\\vec{\\text{" + word + "}}(x, \\text{" + word +
+                                                              "}) = x + \\text{" + word + "} * \\cos\\theta_h^2");
+    sum += " + \\text{" + word + "} + \\vec{\\text{" + word + "}}(2, \\text{" + word + "})";
   }
   expect_good_code(program_of(text + equation(sum)));
 }
 
 TEST(EmittedCode, KeepsNamesApartThatLookAlike) {
   expect_good_code(program_of(equation("a_1 = 0.5") + equation("\\vec{a_1} = \\vec{1, 2, 3}") +
-                              equation("\\text{a\\_1} = 3") + equation("\\mathrm{a\\_1}(x) = x + a_1") +
-                              equation("f = \\vec{a_1} * (a_1 + \\text{a\\_1} + \\mathrm{a\\_1}(a_1))")));
+                              equation("\\text{a\\_1} = 3") + equation("\\vec{\\text{a\\_1}}(x) = x + a_1") +
+                              equation("f = \\vec{a_1} * (a_1 + \\text{a\\_1} + \\vec{\\text{a\\_1}}(a_1))")));
 }
 
 TEST(EmittedCode, OfDeepExpressionsHasShortLines) {

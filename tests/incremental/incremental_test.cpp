@@ -83,6 +83,7 @@ std::string block(const std::string& equation) {
 std::string sound_document(Random& random) {
   std::string text = "\\documentclass{article}\n\\begin{document}\nProse with $x$ and 5\\%.\n";
   text += block("\\rho_d = \\vec{0.5, 0.25, 0.125} % range [0, 1]") + block("m = 0.3");
+  text += block("k(\\hat u) = \\theta_u(1 - \\theta_u) + n \\cdot \\mathbf{u}");
   text += block("g(x) = \\frac{x}{x + 1}") + block("h(\\vec{u}, x) = \\vec{u} \\cdot \\vec{n} * g(x)");
   for (int i = 0; i < 55; ++i) {
     const std::string name = "a_{" + std::to_string(i) + "}";
@@ -92,7 +93,7 @@ std::string sound_document(Random& random) {
                                   "h(\\vec{\\omega_i}, " + earlier + ") * \\cos{\\theta_o}"};
     text += "Term number " + std::to_string(i) + ".\n" + block(name + " = " + bodies[random() % 4]);
   }
-  return text + block("f = \\rho_d * a_{54} + \\vec{1, 1, 1} * a_{53}") + "\\end{document}\n";
+  return text + block("f = \\rho_d * a_{54} + \\vec{1, 1, 1} * a_{53} * k(\\mathbf l)") + "\\end{document}\n";
 }
 
 /// Edits as people make them, and as nobody should.
@@ -217,6 +218,13 @@ class Editor {
                                                     "\n" + block("m(x) = x"),
                                                     "m(",
                                                     "(x) = ",
+                                                    "'",
+                                                    "\\mathbf{u}",
+                                                    "{\\bf n}",
+                                                    "\\theta_u",
+                                                    "\n" + block("n = 2"),
+                                                    "\n" + block("\\hat l = \\omega_o"),
+                                                    "\n" + block("\\theta_u(x) = x"),
                                                     "\n" + block("f_r = \\theta_h")};
     const size_t at = below(text_.size() + 1);
     switch (below(5)) {

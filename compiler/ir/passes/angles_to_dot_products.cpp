@@ -12,7 +12,7 @@ namespace texbrdf::ir {
 namespace {
 
 constexpr std::array kPolarAngles = {Convention::ThetaI, Convention::ThetaO, Convention::ThetaH, Convention::ThetaD};
-constexpr std::array kAzimuths = {Convention::PhiI, Convention::PhiO};
+constexpr std::array kAzimuths = {Convention::PhiI, Convention::PhiO, Convention::PhiH};
 
 template <std::size_t N>
 bool is_one_of(const Value& value, const std::array<Convention, N>& set) {

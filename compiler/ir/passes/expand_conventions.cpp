@@ -42,6 +42,7 @@ ValueId expand(Graph& graph, const Value& value, std::span<const ValueId> operan
       return graph.add(Op::Arccos, {clamped_cosine(graph, operands[0], operands[1])});
     case Convention::PhiI:
     case Convention::PhiO:
+    case Convention::PhiH:
       return azimuth(graph, operands);
   }
   return graph.copy(value, operands);

@@ -3,7 +3,7 @@ client {"capabilities": {}}
 # NUL, a lone surrogate, control characters, an unfinished block; each gets an answer.
 -> textDocument/didOpen {"textDocument": {"uri": "file:///work/a.tex", "languageId": "latex", "version": 1, "text": "\\begin{equation}\u0000 f = \u0001 \u202e"}}
 <- {"method":"textDocument/publishDiagnostics","params":{"uri":"a.tex","version":1,"diagnostics":[]}}
-frame "{\"jsonrpc\":\"2.0\",\"method\":\"textDocument/didOpen\",\"params\":{\"textDocument\":{\"uri\":\"file:///work/b.tex\",\"languageId\":\"latex\",\"version\":1,\"text\":\"\\\\begin{equation}f = \\ud83d + b\\\\end{equation}\"}}}"
+frame "{\"jsonrpc\":\"2.0\",\"method\":\"textDocument/didOpen\",\"params\":{\"textDocument\":{\"uri\":\"file:///work/b.tex\",\"languageId\":\"latex\",\"version\":1,\"text\":\"\\\\begin{equation}f = \\ud83d + c\\\\end{equation}\"}}}"
 <- {
      "method": "textDocument/publishDiagnostics",
      "params": {
@@ -22,7 +22,7 @@ frame "{\"jsonrpc\":\"2.0\",\"method\":\"textDocument/didOpen\",\"params\":{\"te
            "severity": 1,
            "code": "E3001",
            "source": "texbrdf",
-           "message": "undefined name `b` in the definition of `f`"
+           "message": "undefined name `c` in the definition of `f`"
          }
        ]
      }

@@ -18,7 +18,7 @@ client {"capabilities": {}}
        ]
      }
    }
--> textDocument/didOpen {"textDocument": {"uri": "file:///c%3A/a%20b.tex", "languageId": "markdown", "version": -5, "text": "\\begin{equation}f = b\\end{equation}"}}
+-> textDocument/didOpen {"textDocument": {"uri": "file:///c%3A/a%20b.tex", "languageId": "markdown", "version": -5, "text": "\\begin{equation}f = c\\end{equation}"}}
 <- {
      "method": "textDocument/publishDiagnostics",
      "params": {
@@ -30,7 +30,7 @@ client {"capabilities": {}}
            "severity": 1,
            "code": "E3001",
            "source": "texbrdf",
-           "message": "undefined name `b` in the definition of `f`"
+           "message": "undefined name `c` in the definition of `f`"
          }
        ]
      }
@@ -41,7 +41,7 @@ client {"capabilities": {}}
 <- {
      "id": 2,
      "result": {
-       "contents": {"kind":"markdown","value":"`f`: `?`\n\n```latex\nf = b\n```\n\ndefined on line 1"},
+       "contents": {"kind":"markdown","value":"`f`: `?`\n\n```latex\nf = c\n```\n\ndefined on line 1"},
        "range": "1:17-1:18"
      }
    }

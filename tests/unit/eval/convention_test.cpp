@@ -83,6 +83,8 @@ Triple expected_value(Convention id, const Geometry& g) {
       return azimuth(l);
     case Convention::PhiO:
       return azimuth(v);
+    case Convention::PhiH:
+      return azimuth(h);
     case Convention::ThetaH:
       return angle(dot(g.normal, h));
     case Convention::ThetaD:

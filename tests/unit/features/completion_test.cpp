@@ -92,8 +92,10 @@ TEST(Completion, FindsNamesByHowTheyBegin) {
   EXPECT_EQ(proposals(equation("f = coo@")), "[coo] \\text{cook\\_t}");
   EXPECT_EQ(proposals(equation("f = \\text{coo@}")), "[\\text{coo}] \\text{cook\\_t}");
   EXPECT_EQ(proposals(equation("f = \\text{cook\\_@")), "[\\text{cook\\_] \\text{cook\\_t}");
-  EXPECT_EQ(proposals(equation("f = \\phi_{\\text{d@}}")), "[\\phi_{\\text{d}}] \\phi_{\\text{diff}}");
-  EXPECT_EQ(proposals(equation("f = \\phi_{\\te@")), "[\\phi_{\\te] \\phi_{\\text{diff}}");
+  EXPECT_EQ(proposals(equation("f = \\phi_{\\text{d@}}")), "[\\phi_{\\text{d}}] \\phi_{diff}");
+  EXPECT_EQ(proposals(equation("f = \\mathbf{c@}")), "[\\mathbf{c}] \\mathbf{c}");
+  EXPECT_EQ(proposals(equation("f = \\phi_{di@}")), "[\\phi_{di}] \\phi_{diff}");
+  EXPECT_EQ(proposals(equation("f = \\mathrm{coo@}")), "[\\mathrm{coo}] \\text{cook\\_t}");
   EXPECT_EQ(proposals(equation("f = \\theta_@")), "[\\theta_] \\theta_i \\theta_o \\theta_h \\theta_d");
   EXPECT_EQ(proposals(equation("f = nowhere@")), "[nowhere] ");
 }

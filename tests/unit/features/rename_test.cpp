@@ -134,7 +134,7 @@ TEST(Rename, RefusedForNewNamesThatAreNone) {
                                              "x\\,",
                                              "x &",
                                              "é",
-                                             "x'",
+                                             "'x",
                                              "x\\end{equation}",
                                              "x = 1\\end{equation}\\begin{equation}y"};
   for (const std::string& none : no_names) EXPECT_EQ(reason(none), "`" + none + "` is not a name");
