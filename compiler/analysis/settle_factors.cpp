@@ -7,6 +7,15 @@
 namespace texbrdf {
 namespace {
 
+/// In order, each once.
+std::vector<NameId> mentioned_in(const AnalysedBlock& block) {
+  std::vector<NameId> names(block.mentions.begin(), block.mentions.end());
+  std::ranges::sort(names);
+  const auto repeated = std::ranges::unique(names);
+  names.erase(repeated.begin(), repeated.end());
+  return names;
+}
+
 class FactorUpdate {
  public:
   FactorUpdate(EngineState& state, WorkingBlocks& blocks, Counters& counters)
@@ -29,6 +38,9 @@ class FactorUpdate {
     const auto repeated = std::ranges::unique(users);
     users.erase(repeated.begin(), repeated.end());
     for (BlockLabel label : users) settle(label);
+    // A reading that was dropped may have met names that no other block has.
+    state_.occurrences.resize(state_.names->size());
+    state_.name_states.resize(state_.names->size());
   }
 
  private:
@@ -44,12 +56,23 @@ class FactorUpdate {
     const std::vector<uint32_t> factors = find_factors(
         block.parsed, block.names, *state_.names, [this](NameId name) { return state_.name_states[name.value].kind; });
     if (std::ranges::equal(factors, block.parsed.factors)) return;
-    ++counters_.blocks_parsed;
+    std::shared_ptr<const AnalysedBlock> again = read(block, factors);
+    if (mentioned_in(*again) != mentioned_in(block)) {
+      if (block.parsed.factors.empty()) return;
+      again = read(block, {});
+    }
     if (blocks_.find(label) == nullptr) ++state_.rereadings;
     WorkingBlock& working = blocks_.open(label);
-    working.analysed = read_again_.make(analyse_block(block.parsed.text, block.parsed.extent, *state_.names,
-                                                      read_again_.memory(), read_again_.dense_memory(), factors));
+    working.analysed = std::move(again);
     for (PlacedDefinition& definition : working.definitions) definition.record = nullptr;
+  }
+
+  /// Brackets that do not match may leave other names in a block that is read with factors. Who mentions what is listed
+  /// by now: such a block stays as it is read without.
+  std::shared_ptr<const AnalysedBlock> read(const AnalysedBlock& block, std::span<const uint32_t> factors) {
+    ++counters_.blocks_parsed;
+    return read_again_.make(analyse_block(block.parsed.text, block.parsed.extent, *state_.names, read_again_.memory(),
+                                          read_again_.dense_memory(), factors));
   }
 
   EngineState& state_;
