@@ -361,7 +361,8 @@ class RandomDocument {
   }
 
   std::string vector(const Scope& scope, int depth) {
-    static const std::vector<std::string> inputs{"\\omega_i", "\\vec{\\omega_o}", "\\vec{n}", "\\vec{h}"};
+    static const std::vector<std::string> inputs{"\\omega_i",  "\\vec{\\omega_o}",  "\\vec{n}", "\\vec{h}",
+                                                 "\\mathbf l", "\\hat{\\mathbf n}", "{\\bf v}"};
     if (depth == 0 || random_.chance(0.1)) {
       if (scope.vectors.empty() || random_.chance(0.4)) return random_.one_of(inputs);
       return random_.one_of(scope.vectors);

@@ -23,7 +23,7 @@ TEST(TypingFeatures, AnswerAtEveryOffsetOfDamagedDocuments) {
   std::size_t proposals = 0;
   std::size_t signatures = 0;
   std::size_t actions = 0;
-  for (uint64_t seed = 0; seed < 20; ++seed) {
+  for (uint64_t seed = 0; seed < 40; ++seed) {
     Document document(damaged(test::random_document(seed), seed));
     const Snapshot& snapshot = document.snapshot();
     NameIndex index;
