@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "semantics/background.h"
 #include "semantics/check.h"
 
 namespace texbrdf {
@@ -16,6 +17,20 @@ namespace {
 
 bool is_ignored(const std::vector<Directive>& directives) {
   return std::ranges::any_of(directives, [](const Directive& d) { return d.kind == Directive::Kind::Ignore; });
+}
+
+void leave_out_background(ParsedBlock& block, const BlockNames& names, const NameTable& table) {
+  uint32_t gone = 0;  // diagnostics
+  std::erase_if(block.definitions, [&](DefinitionSyntax& definition) {
+    definition.first_diagnostic -= gone;
+    definition.end_diagnostic -= gone;
+    if (!is_background(block, definition, names, table)) return false;
+    const auto first = block.diagnostics.begin() + definition.first_diagnostic;
+    const auto end = block.diagnostics.begin() + definition.end_diagnostic;
+    gone += static_cast<uint32_t>(end - first);
+    block.diagnostics.erase(first, end);
+    return true;
+  });
 }
 
 void add_definition(const DefinitionSyntax& syntax, AnalysedBlock& block) {
@@ -45,6 +60,7 @@ AnalysedBlock analyse_block(std::string_view text, const BlockExtent& extent, Na
     block.parsed.diagnostics.clear();
   }
   block.names = read_names(block.parsed, table, memory);
+  leave_out_background(block.parsed, block.names, table);
   block.definitions.reserve(block.parsed.definitions.size());
   block.places.reserve(std::ranges::count_if(block.names.by_node, &NameId::valid));
   for (const DefinitionSyntax& definition : block.parsed.definitions) add_definition(definition, block);

@@ -170,6 +170,8 @@ ExpressionId ExpressionWriter::convention(ValueId id) {
       return number(kPi);
     case Convention::Epsilon:
       return number(kEpsilon);
+    case Convention::Euler:
+      return number(kEuler);
     case Convention::OmegaI:
     case Convention::OmegaO:
     case Convention::Normal:

@@ -261,6 +261,8 @@ class Walk {
         return spread(kPi);
       case Convention::Epsilon:
         return spread(kEpsilon);
+      case Convention::Euler:
+        return spread(kEuler);
     }
     throw InternalError("a convention that is not in the table");
   }

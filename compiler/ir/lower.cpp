@@ -193,8 +193,14 @@ class Lowering {
     const ValueId left = child_value(node, 0), right = child_value(node, 1);
     const Op op = infix_op(token(node).kind);
     if (op == Op::Multiply) return product(node, left, right);
+    if (op == Op::Power && is_euler(left)) return graph_.add(Op::Exp, {right});
     if (op == Op::Cross) return graph_.add(is_cross_product(left, right) ? Op::Cross : Op::Multiply, {left, right});
     return graph_.add(op, {left, right});
+  }
+
+  bool is_euler(ValueId id) const {
+    const Value& value = graph_.at(id);
+    return value.op == Op::Convention && value.index == static_cast<uint32_t>(Convention::Euler);
   }
 
   /// Of two vectors the dot product.

@@ -121,6 +121,7 @@ std::optional<Convention> find_convention(std::string_view canonical) {
 std::optional<double> convention_constant(Convention id) {
   if (id == Convention::Pi) return kPi;
   if (id == Convention::Epsilon) return kEpsilon;
+  if (id == Convention::Euler) return kEuler;
   return std::nullopt;
 }
 

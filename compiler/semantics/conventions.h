@@ -46,6 +46,7 @@ std::optional<Convention> find_usual_name(std::string_view canonical);
 
 inline constexpr double kPi = 3.141592653589793;
 inline constexpr double kEpsilon = 1.192092896e-07;
+inline constexpr double kEuler = 2.718281828459045;
 /// The value of Pi and Epsilon; no other convention is constant.
 std::optional<double> convention_constant(Convention id);
 

@@ -39,7 +39,10 @@ class ResultTable {
     }
     for (const Rule& rule : kRules) {
       for (Type left : {rule.left, Type::Error}) {
-        for (Type right : {rule.right, Type::Error}) allow(at(rule.op, left, right), rule.result);
+        for (Type right : {rule.right, Type::Error}) {
+          Type& entry = at(rule.op, left, right);
+          entry = entry == kNoRule ? rule.result : either(entry, rule.result, rule.op, left, right);
+        }
       }
     }
     for (auto& by_left : of_) {
@@ -58,8 +61,15 @@ class ResultTable {
   constexpr Type& at(Operator op, Type left, Type right) {
     return of_[static_cast<size_t>(op)][static_cast<size_t>(left)][static_cast<size_t>(right)];
   }
-  static constexpr void allow(Type& entry, Type result) {
-    entry = entry == kNoRule || entry == result ? result : Type::Error;
+  /// What is said of an unknown operand's result, where rules differ. To say more than is sure keeps an error from
+  /// spreading over the document: beside a real stands a real sooner than a colour, and `\times` is between vectors.
+  static constexpr Type either(Type a, Type b, Operator op, Type left, Type right) {
+    if (a == b) return a;
+    const bool beside_real = left == Type::Real || right == Type::Real;
+    const bool are_real_or_colour = (a == Type::Real && b == Type::Colour) || (a == Type::Colour && b == Type::Real);
+    if (beside_real && are_real_or_colour) return Type::Real;
+    const bool are_unknown = left == Type::Error && right == Type::Error;
+    return op == Operator::Cross && are_unknown ? Type::Vector : Type::Error;
   }
   // Beside an unknown operand nothing is a fault.
   static constexpr void forgive(Type& entry) {

@@ -93,12 +93,16 @@ class Resolver {
       CheckedParameter& parameter = checked_.parameters[angle->position];
       if (parameter.inferred) parameter.type = Type::Vector;
       refer(node, angle_referent(*angle), Type::Real, false);
-    } else if (traits.meaning() && !(traits.usual_meaning && numbers_.is_number(name))) {
+    } else if (traits.meaning() && !(is_usual_direction(traits) && numbers_.is_number(name))) {
       const auto index = static_cast<uint32_t>(*traits.meaning());
       refer(node, {Referent::Kind::Convention, index}, convention_entry(*traits.meaning()).type, false);
     } else {
       report_unresolved(node, traits);
     }
+  }
+
+  static bool is_usual_direction(const NameTraits& traits) {
+    return traits.usual_meaning && convention_entry(*traits.usual_meaning).type == Type::Vector;
   }
 
   /// What is no convention by its own spelling is the angle of the parameter whose name it bears. Where papers mean

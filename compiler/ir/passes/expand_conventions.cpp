@@ -32,6 +32,7 @@ ValueId expand(Graph& graph, const Value& value, std::span<const ValueId> operan
       return graph.copy(value, operands);
     case Convention::Pi:
     case Convention::Epsilon:
+    case Convention::Euler:
       return graph.constant(*convention_constant(id));
     case Convention::Half:
       return half_vector(graph, operands[0], operands[1]);

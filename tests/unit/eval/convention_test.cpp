@@ -93,6 +93,8 @@ Triple expected_value(Convention id, const Geometry& g) {
       return {kPi, kPi, kPi};
     case Convention::Epsilon:
       return {1.192092896e-07, 1.192092896e-07, 1.192092896e-07};
+    case Convention::Euler:
+      return {std::exp(1.0), std::exp(1.0), std::exp(1.0)};
   }
   return {};
 }

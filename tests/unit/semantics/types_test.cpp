@@ -72,7 +72,10 @@ TEST(OperatorRules, GiveTheResultThatEveryTypeOfAnUnknownOperandHas) {
     for (Type type : kValues) {
       if (found == TypeSet(type)) return type;
     }
-    return Type::Error;
+    // What is guessed, so that one error does not become many.
+    const bool beside_real = left == Type::Real || right == Type::Real;
+    if (beside_real && found == (TypeSet(Type::Real) | Type::Colour)) return Type::Real;
+    return grid.op == Operator::Cross && left == right ? Type::Vector : Type::Error;
   };
   for (const Grid& grid : kGrids) {
     for (Type known : {Type::Error, Type::Real, Type::Vector, Type::Colour, Type::Tuple}) {
