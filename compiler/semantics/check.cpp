@@ -212,8 +212,12 @@ class DefinitionCheck {
 
   Type result_type() const {
     const Type type = checked_.types[view_.slot(view_.syntax.body)];
-    const bool is_named_vector = view_.table.traits(checked_.name).is_vector;
-    return type == Type::Tuple && is_named_vector ? Type::Vector : type;
+    return type == Type::Tuple && is_written_as_vector() ? Type::Vector : type;
+  }
+
+  // Bold letters are colours too.
+  bool is_written_as_vector() const {
+    return view_.table.traits(checked_.name).is_vector && view_.block.node_text(view_.syntax.name).starts_with("\\vec");
   }
 
   // Directions are what a BRDF takes, whether it needs them or not.

@@ -48,8 +48,8 @@ inline std::string read_text(const std::string& path) {
 }
 
 /// Columns Lx,Ly,Lz,Vx,Vy,Vz,r,g,b behind one line of names; the frame is the standard one.
-inline std::vector<ReferenceRow> read_reference(const std::string& name) {
-  std::ifstream file(model_path(name, ".csv"));
+inline std::vector<ReferenceRow> read_rows(const std::string& path) {
+  std::ifstream file(path);
   std::vector<ReferenceRow> rows;
   std::string line;
   std::getline(file, line);
@@ -66,6 +66,10 @@ inline std::vector<ReferenceRow> read_reference(const std::string& name) {
          .value = {numbers[6], numbers[7], numbers[8]}});
   }
   return rows;
+}
+
+inline std::vector<ReferenceRow> read_reference(const std::string& model) {
+  return read_rows(model_path(model, ".csv"));
 }
 
 inline Result<eval::CompiledModel> compile_text(const std::string& text) {
