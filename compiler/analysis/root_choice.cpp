@@ -1,6 +1,7 @@
 #include "analysis/root_choice.h"
 
 #include <algorithm>
+#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -44,9 +45,17 @@ class RootSearch {
     NameId name;
     const CheckedDefinition* checked;
     std::span<const NameId> mentions;
-
-    bool has_shape() const { return has_brdf_parameters(checked->signature); }
   };
+
+  /// A function of two vectors, or of what has a meaning outside of it.
+  bool has_shape(const Candidate& candidate) const {
+    const auto has_meaning = [&](const CheckedParameter& parameter) {
+      return parameter.name.valid() &&
+             (state_.names->traits(parameter.name).meaning() || state_.in_force(parameter.name));
+    };
+    return has_brdf_parameters(candidate.checked->signature) ||
+           std::ranges::all_of(candidate.checked->parameters, has_meaning);
+  }
 
   std::vector<Candidate> candidates() const {
     std::vector<Candidate> found;
@@ -69,9 +78,8 @@ class RootSearch {
 
   std::optional<NameId> best_candidate() const {
     std::vector<Candidate> all = candidates();
-    if (std::ranges::any_of(all, &Candidate::has_shape)) {
-      std::erase_if(all, [](const Candidate& candidate) { return !candidate.has_shape(); });
-    }
+    const auto is_shaped = [&](const Candidate& candidate) { return has_shape(candidate); };
+    if (std::ranges::any_of(all, is_shaped)) std::erase_if(all, std::not_fn(is_shaped));
     const auto is_constant = [&](const Candidate& candidate) { return !is_directional(candidate); };
     if (!std::ranges::all_of(all, is_constant)) std::erase_if(all, is_constant);
     const Candidate* best = nullptr;
@@ -86,8 +94,12 @@ class RootSearch {
 
   bool is_directional(const Candidate& candidate) const {
     const auto changes = [&](NameId name) { return state_.directional.contains(name, *state_.names); };
+    const auto is_angle = [&](const CheckedParameter& parameter) {
+      return parameter.name.valid() && state_.names->traits(parameter.name).is_directional();
+    };
     return std::ranges::any_of(candidate.mentions, changes) ||
-           std::ranges::any_of(candidate.checked->signature.parameters, is_triple);
+           std::ranges::any_of(candidate.checked->signature.parameters, is_triple) ||
+           std::ranges::any_of(candidate.checked->parameters, is_angle);
   }
 
   // One that mentions more is nearer to the whole; else `f` itself, else the first of the document.

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "analysis/needed_names.h"
+#include "analysis/root_arguments.h"
 #include "analysis/snapshot_state.h"
 
 namespace texbrdf {
@@ -64,6 +65,7 @@ class RootDiagnostics {
     const LocatedDefinition definition = state_.locate(*key_);
     const Signature& signature = definition.checked().signature;
     if (!definition.checked().sound || is_brdf(signature)) return;
+    if (root_arguments(state_, definition.checked())) return;
     all_.push_back(make_diagnostic(Code::RootShape, definition.name_place(), {root_, signature_text(signature)}));
   }
 

@@ -3,6 +3,7 @@
 #include <unordered_set>
 
 #include "analysis/equation_text.h"
+#include "analysis/root_arguments.h"
 #include "analysis/snapshot_state.h"
 #include "ir/lower.h"
 #include "ir/passes/passes.h"
@@ -113,11 +114,16 @@ Result<ir::Program> Snapshot::program(std::string_view root, const ir::LinkOptio
   const Definition& found = definition(*id);
   if (!found.checked->sound)
     return Failure{quoted(wanted) + " cannot be used: it or something that it needs has an error"};
-  if (!is_brdf(found.checked->signature)) {
+  if (is_brdf(found.checked->signature)) {
+    return ir::link([this](NameId name) { return linkable(name); }, found.name, options);
+  }
+  const auto arguments = root_arguments(*state_, *found.checked);
+  if (!arguments) {
     return Failure{quoted(wanted) + " is " + signature_text(found.checked->signature) +
                    ", but a BRDF is ℝ or ℝ³, plain or a function of two vectors"};
   }
-  return ir::link([this](NameId name) { return linkable(name); }, found.name, options);
+  const ir::LinkableDefinition call = call_of_root(*state_, state_->locate(*state_->find(found.name)), *arguments);
+  return ir::link([&](NameId name) { return name == call.id ? &call : linkable(name); }, call.id, options);
 }
 
 std::optional<std::vector<double>> Snapshot::constant_value(DefinitionId id) const {

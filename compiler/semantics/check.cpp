@@ -202,6 +202,7 @@ class DefinitionCheck {
     signature.parameters = parameter_types();
     if (view_.syntax.readable) signature.result = result_type();
     if (signature.result == Type::Vector) signature.spreads = 0;
+    if (checked_.sound) tell_colour_products();
     if (checked_.sound) hint_unused_parameters();
     checked_.referents = std::move(body_.referents);
     write_left_types();
@@ -218,6 +219,22 @@ class DefinitionCheck {
   // Bold letters are colours too.
   bool is_written_as_vector() const {
     return view_.table.traits(checked_.name).is_vector && view_.block.node_text(view_.syntax.name).starts_with("\\vec");
+  }
+
+  void tell_colour_products() {
+    for (uint32_t i = view_.body_begin(); i < view_.body_end(); ++i) {
+      const Node& node = view_.node(NodeId{i});
+      if (node.kind != NodeKind::Infix || view_.block.token_text(node.token) != "\\cdot") continue;
+      const bool is_of_colours = std::ranges::all_of(view_.block.tree.children(NodeId{i}), [this](NodeId operand) {
+        const Type type = checked_.types[view_.slot(operand)];
+        return is_triple(type) && is_componentwise(type);
+      });
+      if (!is_of_colours) continue;
+      const Location where = view_.at_token(node.token);
+      checked_.diagnostics.push_back(make_diagnostic(Code::ColourProduct, where));
+      checked_.diagnostics.back().fixes.push_back(
+          {.title = "write `*`, a product by component", .edits = {{where, "*"}}});
+    }
   }
 
   // Directions are what a BRDF takes, whether it needs them or not.

@@ -71,6 +71,20 @@ TEST(RootDiagnostics, ErrorsThatTheRootDoesNotNeedAreHints) {
   EXPECT_EQ(codes(equations({"a = (1", "f = 1"})), (Codes{"E3013 hint", "E2003 hint"})) << "it cannot be read";
 }
 
+TEST(RootDiagnostics, ABrdfOfOtherThanTwoVectorsIsGivenWhatItsParametersAreCalled) {
+  for (const char* left : {"f(\\theta_i, \\phi_i; \\theta_o, \\phi_o)", "f(\\theta_h)",
+                           "f(\\vec{x}, \\omega_i, \\omega_o)", "f(\\omega_i)", "f(\\theta_i; \\sigma)"}) {
+    const std::string text = equations({std::string(left) + " = \\sigma \\cdot 2", "\\sigma = 0.5"});
+    EXPECT_TRUE(Document(text).snapshot().program()) << text;
+  }
+  for (const char* left : {"f(x)", "f(\\theta_i, q)", "f(\\sigma)", "f(g)"}) {
+    const std::string text = equations({std::string(left) + " = 2", "\\sigma = \\vec{1, 2, 3}", "g(x) = x"});
+    EXPECT_FALSE(Document(text).snapshot().program()) << text;
+    const Codes found = codes(text);
+    EXPECT_NE(std::ranges::find(found, "E4006 error"), found.end()) << text;
+  }
+}
+
 TEST(RootDiagnostics, AnInstructionSkipsAnEquation) {
   EXPECT_EQ(codes("% texbrdf: ignore\n" + equations({"a = (1", "f = 1"})), Codes{});
   EXPECT_EQ(codes("% texbrdf: ignore\n% why\n  " + equations({"a = (1", "f = 1"})), Codes{});

@@ -91,6 +91,11 @@ INSTANTIATE_TEST_SUITE_P(
         {"cross product", {"a = (1, 0, 0) \\times (0, 1, 0)"}, "ℝ³", {}},
         {"difference with a real", {"c = (1, 0.5, 0)", "a = 1 - c"}, "RGB", {}},
         {"product of two", {"c = (1, 0.5, 0)", "a = c * c"}, "RGB", {}},
+        {"product of two, or a dot product",
+         {"c = (1, 0.5, 0)", "a = 2 \\cdot c \\cdot c"},
+         "RGB",
+         {"E4023 [\\cdot] read as a product of colours, component by component; `*` says so, and a dot product needs a "
+          "vector, `\\vec{…}`"}},
         {"side by side", {"c = (1, 0.5, 0)", "a = 2 c c"}, "RGB", {}},
         {"quotients", {"c = (1, 0.5, 0)", "a = c / (1 - c) + \\frac{1}{c}"}, "RGB", {}},
         {"power", {"c = (1, 0.5, 0)", "a = c^2 + 2^c + c^c"}, "RGB", {}},
