@@ -10,7 +10,7 @@ const { chromium } = createRequire(path.resolve('package.json'))('playwright-cor
 
 const cache = process.env.XDG_CACHE_HOME ?? path.join(homedir(), '.cache');
 export const serverMain = path.join(cache, 'texbrdf/vscode-4.100.3/package/lib/vscode/out/server-main.js');
-const patience = Number(process.env.PATIENCE ?? 30) * 1000; // milliseconds; a busy machine
+const patience = Number(process.env.PATIENCE ?? 60) * 1000; // milliseconds; a busy machine
 
 const settings = {
   'workbench.startupEditor': 'none', 'workbench.enableExperiments': false, 'security.workspace.trust.enabled': false,
