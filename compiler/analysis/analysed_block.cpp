@@ -1,6 +1,7 @@
 #include "analysis/analysed_block.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "semantics/background.h"
 #include "semantics/check.h"
@@ -20,17 +21,30 @@ bool is_ignored(const std::vector<Directive>& directives) {
 }
 
 void leave_out_background(ParsedBlock& block, const BlockNames& names, const NameTable& table) {
-  uint32_t gone = 0;  // diagnostics
-  std::erase_if(block.definitions, [&](DefinitionSyntax& definition) {
-    definition.first_diagnostic -= gone;
-    definition.end_diagnostic -= gone;
-    if (!is_background(block, definition, names, table)) return false;
-    const auto first = block.diagnostics.begin() + definition.first_diagnostic;
-    const auto end = block.diagnostics.begin() + definition.end_diagnostic;
-    gone += static_cast<uint32_t>(end - first);
-    block.diagnostics.erase(first, end);
-    return true;
-  });
+  const auto is_left_out = [&](const DefinitionSyntax& definition) {
+    return is_background(block, definition, names, table);
+  };
+  if (std::ranges::none_of(block.definitions, is_left_out)) return;
+  const std::vector<DefinitionSyntax> all(block.definitions.begin(), block.definitions.end());
+  std::vector<Diagnostic> reported = std::exchange(block.diagnostics, {});
+  block.definitions.clear();
+  uint32_t next = 0;
+  const auto take_up_to = [&](uint32_t end) {
+    for (; next < end; ++next) block.diagnostics.push_back(std::move(reported[next]));
+  };
+  for (DefinitionSyntax definition : all) {
+    take_up_to(definition.first_diagnostic);
+    if (is_left_out(definition)) {
+      next = definition.end_diagnostic;
+      continue;
+    }
+    const uint32_t count = definition.end_diagnostic - definition.first_diagnostic;
+    definition.first_diagnostic = static_cast<uint32_t>(block.diagnostics.size());
+    take_up_to(definition.end_diagnostic);
+    definition.end_diagnostic = definition.first_diagnostic + count;
+    block.definitions.push_back(definition);
+  }
+  take_up_to(static_cast<uint32_t>(reported.size()));
 }
 
 void add_definition(const DefinitionSyntax& syntax, AnalysedBlock& block) {

@@ -150,6 +150,8 @@ class Collector {
     const std::optional<DefinitionKey> first = state_.find(name);
     if (!first) return;
     add(make_diagnostic(Code::Redefinition, definition.name_place(), {name_text(name)}), name);
+    // Prose says values again, and says others for what it discusses.
+    if (is_inline(definition.at.parsed().extent.region)) all_.back().diagnostic.severity = Severity::Hint;
     all_.back().diagnostic.related.push_back({state_.locate(*first).name_place(), "first defined here"});
   }
 

@@ -13,7 +13,9 @@ constexpr uint32_t kMaxUnused = 100;
 
 /// What a root needs that is another than the document's.
 std::vector<bool> needed_by(const Snapshot::State& state, NameId root) {
-  return needed_names(state.names->size(), root, [&](NameId name) -> std::span<const NameId> {
+  const std::optional<DefinitionKey> own = state.find(root);
+  const CheckedDefinition* const checked = own ? &state.locate(*own).checked() : nullptr;
+  return needed_names(state.names->size(), root, checked, [&](NameId name) -> std::span<const NameId> {
     const std::optional<DefinitionKey> key = state.find(name);
     if (!key) return {};
     return state.locate(key->block).block->analysed->mentions_of(key->index_in_block);
@@ -78,20 +80,22 @@ class RootDiagnostics {
   }
 
   void hint_unused() {
+    const std::vector<NameId> arguments = argument_names(state_.locate(*key_).checked());
     uint32_t told = 0;
     state_.segments.visit_where([](const Segment::Measure& sum) { return sum.unused > 0; },
                                 [&](const Segment& segment, const Segment::Measure& before) {
                                   const LocatedBlock block = state_.located(segment, before);
                                   for (uint32_t i = 0; i < block.block->definitions.size(); ++i)
-                                    hint_unused({block, i});
+                                    hint_unused({block, i}, arguments);
                                   told += block.block->unused;
                                   return told < kMaxUnused;
                                 });
   }
 
-  void hint_unused(const LocatedDefinition& definition) {
+  void hint_unused(const LocatedDefinition& definition, const std::vector<NameId>& arguments) {
     const PlacedDefinition& placed = definition.placed();
     if (!placed.in_force || placed.is_used || definition.name() == root_name_) return;
+    if (std::ranges::find(arguments, definition.name()) != arguments.end()) return;
     const std::string name = shown_name(state_.names->text(definition.name()));
     all_.push_back(make_diagnostic(Code::UnusedDefinition, definition.name_place(), {name}));
   }

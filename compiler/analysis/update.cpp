@@ -70,8 +70,14 @@ class Update {
     const NameId root = state_.names->find(state_.root.name_or_f());
     if (!root.valid()) return;
     const auto mentions_of = [&](NameId name) { return std::span(state_.name_states[name.value].mentions); };
-    state_.needed =
-        std::make_shared<const std::vector<bool>>(needed_names(state_.name_states.size(), root, mentions_of));
+    state_.needed = std::make_shared<const std::vector<bool>>(
+        needed_names(state_.name_states.size(), root, checked(root), mentions_of));
+  }
+
+  const CheckedDefinition* checked(NameId name) const {
+    const std::optional<DefinitionKey> key = state_.in_force(name);
+    if (!key) return nullptr;
+    return &find_block(state_.segments, key->block).item->block->definitions[key->index_in_block].record->checked;
   }
 
   void mark_definitions() {

@@ -53,7 +53,7 @@ class Statement {
     const std::string_view text = block_.token_text(first);
     const bool is_word = text.size() == 2 && text[0] == 'd' && text[1] >= 'A' && text[1] <= 'Z';
     const bool is_sign = text == "d" || text == "\\partial" || text == "\\mathrm{d}" || text == "\\text{d}";
-    return is_word || (is_sign && first + 1 < node(id).end_token);
+    return is_word || (is_sign && kind(without_groups(id)) == NodeKind::Juxtaposition);
   }
 
   const ParsedBlock& block_;

@@ -16,7 +16,7 @@ class NumberPlaces {
 
  private:
   void find();
-  void read(NodeId node);
+  void read(NodeId id);
   void read_sum(NodeId left, NodeId right);
   void add(NodeId operand);
 

@@ -378,8 +378,6 @@ DocumentPart scan_environment(MarkReader& reader, std::string_view document, uin
   const bool has_end = terminator.kind == BlockEnd::Closed || terminator.kind == BlockEnd::WrongEnd;
   const uint32_t whole_end = has_end ? terminator.mark.span.end : content_end;
   reader.seek(whole_end);
-  reader.take_directives();
-  reader.take_includes();
 
   const Span content = {begin.span.end - origin, content_end - origin};
   const BlockExtent extent = {.whole = {origin, whole_end},
@@ -420,8 +418,13 @@ struct BlockScanner::Impl {
       if (mark.kind != Mark::Kind::Cut) found = mark;
       return prose(begin, mark);
     }
-    if (mark.kind == Mark::Kind::Formula) return formula_part(at, mark);
-    return is_block ? scan_environment(reader, text, at, mark) : epilogue(mark);
+    if (!is_block) return epilogue(mark);
+    DocumentPart part =
+        mark.kind == Mark::Kind::Formula ? formula_part(at, mark) : scan_environment(reader, text, at, mark);
+    // Those of a block are its own.
+    reader.take_directives();
+    reader.take_includes();
+    return part;
   }
 
   Mark next_mark() {

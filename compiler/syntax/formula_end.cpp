@@ -94,7 +94,11 @@ class FormulaReader {
     } else if (word == "begin") {
       read_begin(backslash);
     } else if (word == "end") {
-      if (open_environments_ == 0) return stop(BlockEnd::NextBegin, backslash, backslash);
+      const std::string_view rest = text_.substr(at_, kLongestGroup);
+      looked_at_ = at_ + static_cast<uint32_t>(rest.size());
+      if (open_environments_ == 0 || rest.starts_with("{document}")) {
+        return stop(BlockEnd::NextBegin, backslash, backslash);
+      }
       --open_environments_;
     } else if (std::ranges::find(kWordsOfProse, word) != kWordsOfProse.end()) {
       stop(BlockEnd::NextBegin, backslash, backslash);

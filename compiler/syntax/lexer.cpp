@@ -166,9 +166,27 @@ class Lexer {
 
   void open_box() {
     const uint32_t open = behind_spaces(at_);
-    if (open >= text_.size() || text_[open] != '{') return;
+    if (open >= text_.size() || text_[open] != '{' || !holds_relation(open)) return;
     at_ = open + 1;
     boxes_.push_back(++open_braces_);
+  }
+
+  /// The group at `open` is a whole equation. Once one has no end the block is broken, and no other is asked.
+  bool holds_relation(uint32_t open) {
+    uint32_t depth = 0;
+    bool found = false;
+    for (uint32_t i = open; i < text_.size() && !an_open_box_was_met_; ++i) {
+      if (text_[i] == '\\')
+        ++i;
+      else if (text_[i] == '{')
+        ++depth;
+      else if (text_[i] == '}' && --depth == 0)
+        return found;
+      else if (text_[i] == '=' && depth == 1)
+        found = true;
+    }
+    an_open_box_was_met_ = true;
+    return false;
   }
 
   TokenKind symbol_kind(char symbol) const {
@@ -439,6 +457,7 @@ class Lexer {
   // Once one search has met the end in vain the block is broken; searching again and again would not be linear.
   bool an_open_group_was_met_ = false;
   bool an_open_environment_was_met_ = false;
+  bool an_open_box_was_met_ = false;
 };
 
 }  // namespace

@@ -44,20 +44,46 @@ Parser::Part Parser::parse_group() {
   return make(closed ? NodeKind::Group : NodeKind::Error, opener, opener, {inner});
 }
 
-/// A bar where an operator could stand opens unless it closes one.
+/// What the bar says itself: `\\left|` and `\\lvert` open, `\\right|` and `\\rvert` close.
+Parser::BarSide Parser::bar_side(uint32_t bar) const {
+  const std::string_view text = block_.token_text(bar);
+  const uint32_t behind = bar == 0 ? block_.extent.content.begin : tokens_[bar - 1].span.end;
+  std::string_view before = block_.slice({behind, tokens_[bar].span.begin});
+  const size_t backslash = before.rfind('\\');
+  before = backslash == std::string_view::npos ? "" : before.substr(backslash + 1);
+  if (text.starts_with("\\l") || before == "left" || (before.starts_with("big") && before.ends_with('l')) ||
+      (before.starts_with("Big") && before.ends_with('l'))) {
+    return BarSide::Left;
+  }
+  if (text.starts_with("\\r") || before == "right" || (before.starts_with("big") && before.ends_with('r')) ||
+      (before.starts_with("Big") && before.ends_with('r'))) {
+    return BarSide::Right;
+  }
+  return BarSide::Either;
+}
+
+/// A bar that does not say it opens where an operator could stand, unless it closes the one that is open.
 bool Parser::opens_bars() const {
-  return (at(TokenKind::Bar) || at(TokenKind::DoubleBar)) && kind() != open_bar_;
+  if (!at(TokenKind::Bar) && !at(TokenKind::DoubleBar)) return false;
+  const BarSide side = bar_side(position_);
+  return side == BarSide::Left || (side == BarSide::Either && kind() != open_bar_);
+}
+
+bool Parser::is_doubled_bar(uint32_t first, uint32_t second) const {
+  return kind_at(first) == TokenKind::Bar && kind_at(second) == TokenKind::Bar &&
+         tokens_[first].span.end == tokens_[second].span.begin && bar_side(first) == BarSide::Either &&
+         bar_side(second) == BarSide::Either;
 }
 
 /// `|x|`, `\|x\|`, and `||x||`, which is written so by many.
 Parser::Part Parser::parse_bars() {
-  if (kind() == open_bar_) {
+  if (!opens_bars()) {
     report_expected(Code::NoExpression);
     return error_here();
   }
   const TokenKind bar = kind();
   const uint32_t opener = advance();
-  const bool is_doubled = bar == TokenKind::Bar && at(TokenKind::Bar);
+  const bool is_doubled = is_doubled_bar(opener, position_);
   if (is_doubled) advance();
   const Part inner = parse_inside(bar);
   bool closed = at(bar);

@@ -43,6 +43,12 @@ TokenKind Parser::kind_behind(uint32_t token) const {
   return kind_at(token);
 }
 
+TokenKind Parser::kind_before(uint32_t token) const {
+  do --token;
+  while (token > 0 && is_layout(tokens_[token].kind));
+  return tokens_[token].kind;
+}
+
 void Parser::continue_after(uint32_t closer) {
   position_ = closer;
   advance();
@@ -127,7 +133,7 @@ void Parser::skip_empty_groups() {
 /// A product without an operator.
 Parser::Part Parser::parse_factor_behind(Part left) {
   const uint32_t second = position_;
-  if (at(TokenKind::Number) && tokens_[second - 1].kind == TokenKind::Number) report_missing_operator(second);
+  if (at(TokenKind::Number) && kind_before(second) == TokenKind::Number) report_missing_operator(second);
   const Part right = parse_expression(kJuxtapositionPower + 1);
   const bool damage = silent_ || left.damaged || right.damaged;
   if (damage) had_error_ = true;

@@ -46,6 +46,7 @@ class Parser {
   TokenKind kind_at(uint32_t token) const { return token >= end_ ? TokenKind::End : tokens_[token].kind; }
   bool at(TokenKind wanted) const { return kind() == wanted; }
   TokenKind kind_behind(uint32_t token) const;
+  TokenKind kind_before(uint32_t token) const;
   uint32_t advance() {
     const uint32_t token = position_;
     if (position_ < end_) ++position_;
@@ -81,7 +82,10 @@ class Parser {
   // Operands (parse_operands.cpp).
   Part parse_inside(TokenKind bar = TokenKind::End);
   Part parse_group();
+  enum class BarSide : uint8_t { Left, Right, Either };
+  BarSide bar_side(uint32_t bar) const;
   bool opens_bars() const;
+  bool is_doubled_bar(uint32_t first, uint32_t second) const;
   Part parse_bars();
   Part parse_angles();
   Part parse_function();

@@ -158,7 +158,8 @@ void Parser::report_no_inverse(uint32_t command, uint32_t exponent) {
 /// `1/4\pi`, once for all factors behind the quotient: says what is divided and how the other reading is written.
 void Parser::report_factor_behind_quotient(const Part& product) {
   const SyntaxTree& tree = block_.tree;
-  if (role_of(kind()).begins_operand || is_silent_at(tree.node(product.node).token)) return;
+  const bool goes_on = role_of(kind()).begins_operand || opens_bars();
+  if (goes_on || is_silent_at(tree.node(product.node).token)) return;
   NodeId quotient = product.node;
   while (tree.node(quotient).kind == NodeKind::Juxtaposition) quotient = tree.child(quotient, 0);
   const Node& node = tree.node(quotient);

@@ -56,15 +56,17 @@ class Splitter {
     return kind(token) == TokenKind::Equals || kind(token) == TokenKind::Relation;
   }
   bool is_connective(uint32_t token) const {
-    return kind(token) == TokenKind::Text && !is_script(token) &&
-           std::ranges::find(kConnectives, first_word(token_text(token))) != kConnectives.end();
+    if (kind(token) != TokenKind::Text || is_script(token)) return false;
+    const bool is_remark = token > 0 && is_layout(kind(token - 1)) && first_word(token_text(token)).empty();
+    return is_remark || std::ranges::find(kConnectives, first_word(token_text(token))) != kConnectives.end();
   }
   bool is_script(uint32_t token) const {
     return token > 0 && (kind(token - 1) == TokenKind::Underscore || kind(token - 1) == TokenKind::Caret);
   }
   bool is_separator(uint32_t token) const { return is_layout(kind(token)) || is_punctuation(token); }
   bool is_punctuation(uint32_t token) const {
-    return kind(token) == TokenKind::Comma || (kind(token) == TokenKind::Unknown && token_text(token) == ".");
+    if (kind(token) == TokenKind::Comma) return true;
+    return kind(token) == TokenKind::Unknown && (token_text(token) == "." || token_text(token) == ":");
   }
 
   /// A bracket without partner encloses nothing.
@@ -101,7 +103,7 @@ class Splitter {
     }
     if (!has_relation_) {
       relation_ = token;
-    } else if (chain_ == kNone && kind(token) == TokenKind::Equals) {
+    } else if (chain_ == kNone) {
       chain_ = token;
     }
     has_relation_ = true;

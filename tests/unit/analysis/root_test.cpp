@@ -85,6 +85,12 @@ TEST(RootDiagnostics, ABrdfOfOtherThanTwoVectorsIsGivenWhatItsParametersAreCalle
   }
 }
 
+TEST(RootDiagnostics, WhatTheParametersOfABrdfAreCalledIsNeeded) {
+  EXPECT_EQ(codes(equations({"f(\\theta_i, \\sigma) = \\sigma \\theta_i", "\\sigma = 0.3"})), Codes{});
+  EXPECT_EQ(codes(equations({"f(\\theta_i, \\sigma) = \\sigma \\theta_i", "\\sigma = 0.3 + a", "a = 2 q"})),
+            (Codes{"E3001 error"}));
+}
+
 TEST(RootDiagnostics, AnInstructionSkipsAnEquation) {
   EXPECT_EQ(codes("% texbrdf: ignore\n" + equations({"a = (1", "f = 1"})), Codes{});
   EXPECT_EQ(codes("% texbrdf: ignore\n% why\n  " + equations({"a = (1", "f = 1"})), Codes{});

@@ -28,8 +28,9 @@ TEST(Background, IsWhatStatesSomethingElse) {
 }
 
 TEST(Background, IsNoDefinition) {
-  for (const char* equation : {"f_r(l, v) = g(v, l)", "f_r(l, v) = 2 f_r(v, l)", "f(x) = f(2)", "f = f",
-                               "D = \\frac{D_0}{d}", "a = d / 2", "a = \\frac{d}{d}", "\\theta_i = 0"}) {
+  for (const char* equation :
+       {"f_r(l, v) = g(v, l)", "f_r(l, v) = 2 f_r(v, l)", "f(x) = f(2)", "f = f", "D = \\frac{D_0}{d}", "a = d / 2",
+        "G = \\frac{d + 1}{d + 2}", "a = \\frac{d}{d}", "\\theta_i = 0"}) {
     EXPECT_FALSE(is_background("\\[" + std::string(equation) + "\\]")) << equation;
   }
   for (const char* prose : {"$\\theta_i = \\theta_o$", "$\\alpha = 0$"}) EXPECT_FALSE(is_background(prose)) << prose;

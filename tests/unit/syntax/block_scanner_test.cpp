@@ -139,6 +139,15 @@ constexpr Case kCases[] = {
 INSTANTIATE_TEST_SUITE_P(Documents, BlockScanner, testing::ValuesIn(kCases),
                          [](const auto& param_info) { return std::string(param_info.param.name); });
 
+TEST(BlockScannerDirectives, belong_to_the_block_below_them) {
+  for (const char* document : {"% texbrdf: root = g\n\\[ g = 1 \\] and prose", "% texbrdf: ignore\n$x=y$\nand prose",
+                               "\\[h=1\\]% texbrdf: allow E3013\n\\[g=1\\] prose"}) {
+    size_t directives = 0;
+    for (const DocumentPart& part : scan_parts(document)) directives += part.directives.size();
+    EXPECT_EQ(directives, 0u) << document;
+  }
+}
+
 TEST(BlockScannerSpeed, is_linear_in_documents_made_to_be_slow) {
   constexpr std::string_view kPieces[] = {"\\begin{equation}",
                                           "\\begin{equation}a\n\n",
