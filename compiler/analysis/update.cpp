@@ -77,7 +77,8 @@ class Update {
   const CheckedDefinition* checked(NameId name) const {
     const std::optional<DefinitionKey> key = state_.in_force(name);
     if (!key) return nullptr;
-    return &find_block(state_.segments, key->block).item->block->definitions[key->index_in_block].record->checked;
+    const auto place = find_block(state_.segments, key->block);
+    return place.item == nullptr ? nullptr : &place.item->block->definitions[key->index_in_block].record->checked;
   }
 
   void mark_definitions() {
