@@ -17,9 +17,9 @@ size_t decoration_length(std::string_view text) {
   if (!text.starts_with('\\')) return 0;
   size_t end = 1;
   while (end < text.size() && ((text[end] >= 'a' && text[end] <= 'z') || (text[end] >= 'A' && text[end] <= 'Z'))) ++end;
-  const WordMeaning meaning = find_control_word(text.substr(1, end - 1)).meaning;
-  const bool is_silent = meaning == WordMeaning::Text || meaning == WordMeaning::Vec ||
-                         meaning == WordMeaning::TextDeclaration || meaning == WordMeaning::VecDeclaration;
+  const ControlWord& word = find_control_word(text.substr(1, end - 1));
+  const bool is_silent =
+      word.meaning == WordMeaning::Text || word.meaning == WordMeaning::TextDeclaration || word.kind == TokenKind::Vec;
   return is_silent ? end : 0;
 }
 

@@ -133,8 +133,7 @@ class Resolver {
 
   bool looks_like_direction(NameId parameter) const {
     const NameTraits& traits = view_.table.traits(parameter);
-    const bool is_usual = traits.usual_meaning && convention_entry(*traits.usual_meaning).type == Type::Vector;
-    return traits.is_vector || is_usual || view_.table.text(parameter).starts_with("\\omega");
+    return traits.is_vector || is_usual_direction(traits) || view_.table.text(parameter).starts_with("\\omega");
   }
 
   void refer(NodeId node, Referent referent, Type type, bool is_function) {

@@ -9,8 +9,8 @@ namespace {
 
 /// Of words that make a token by themselves.
 constexpr TokenKind token_of(WordMeaning meaning) {
-  const bool is_accent = meaning == WordMeaning::Accent || meaning == WordMeaning::AccentDeclaration;
-  return is_accent ? TokenKind::Accent : TokenKind::Vec;
+  if (meaning == WordMeaning::Vec) return TokenKind::Vec;
+  return meaning == WordMeaning::Accent ? TokenKind::Accent : TokenKind::Unknown;
 }
 
 constexpr ControlWord kWords[] = {

@@ -16,9 +16,7 @@ enum class WordMeaning : uint8_t {
   Text,               ///< with the brace group or the letter behind it one token
   TextDeclaration,    ///< `{\rm …}` is one token; by itself none
   Vec,
-  VecDeclaration,  ///< as Vec, but over a whole word
   Accent,
-  AccentDeclaration,
   Token,           ///< one token of the entry's kind
   Delimiter,       ///< \left: no token, nor the `.` behind it
   Environment,     ///< \begin

@@ -238,10 +238,9 @@ class Lexer {
       case WordMeaning::Name:
       case WordMeaning::Command:
       case WordMeaning::Token:
-      case WordMeaning::VecDeclaration:
-      case WordMeaning::AccentDeclaration:
         push(word.kind, begin, at_, word.command);
-        return word.kind == TokenKind::Frac ? lex_digit_arguments() : void();
+        if (word.kind == TokenKind::Frac) lex_digit_arguments();
+        return;
       case WordMeaning::Vec:
       case WordMeaning::Accent:
         push(word.kind, begin, at_, word.command);

@@ -86,9 +86,8 @@ Parser::Part Parser::parse_bars() {
   const bool is_doubled = is_doubled_bar(opener, position_);
   if (is_doubled) advance();
   const Part inner = parse_inside(bar);
-  bool closed = at(bar);
-  if (closed) advance();
-  if (closed && is_doubled) {
+  bool closed = true;
+  for (int closers = is_doubled ? 2 : 1; closers > 0 && closed; --closers) {
     closed = at(bar);
     if (closed) advance();
   }
