@@ -116,8 +116,12 @@ export class Editor {
   async open(file) {
     this.file = file;
     const item = this.page.locator('.explorer-folders-view .monaco-list-row', { hasText: file });
-    await item.dblclick();
-    await this.page.locator(`.tab.active[data-resource-name="${file}"]`).waitFor();
+    const tab = this.page.locator(`.tab.active[data-resource-name="${file}"]`);
+    // A file that appears moves the rows below it: a click may meet another one.
+    await waitUntil(async () => {
+      await item.dblclick();
+      return tab.waitFor({ timeout: 5000 }).then(() => true, () => false);
+    }, (opened) => opened, () => `${file} was not opened`);
     await this.page.locator('.editor-instance .view-line').first().waitFor();
   }
 
