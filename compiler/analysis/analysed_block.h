@@ -28,6 +28,17 @@ struct NamedDefinition {
   uint32_t places_end = 0;
 };
 
+/// By definition of a block, the names that it depends on although it does not mention them; empty where there are
+/// none.
+using ImpliedMentions = std::vector<std::vector<NameId>>;
+/// Which of several definitions of a name is meant: the first of the best standing; of values the last.
+enum class Standing : uint8_t {
+  Display,
+  Prose,  ///< inline; or a left side that may state a property of the function, `f(a - b) = …`
+  Value,  ///< inline, numbers: a text that discusses special values gives its own last
+  Limit,  ///< inline, 0 or 1: what text says of a parameter before it gives its value, as `$e = 0$ is a mirror`
+};
+
 /// All that is known of a block alone: it is kept across edits as long as the block's bytes stay.
 struct AnalysedBlock {
   /// Takes most of what it holds from `memory`, and what is read of many blocks from `dense`; both have to outlive it.
@@ -36,7 +47,9 @@ struct AnalysedBlock {
 
   std::pmr::vector<NamedDefinition> definitions;
   std::pmr::vector<NamePlace> places;  ///< of all names in definitions, in order of nodes
-  std::pmr::vector<NameId> mentions;   ///< of all definitions, one after the other
+  std::pmr::vector<NameId> mentions;   ///< of all definitions, one after the other, with those that are implied; then
+                                       ///< what chains name once more
+  ImpliedMentions implied;             ///< as analyse_block was told
   BlockNames names;
   std::vector<Directive> directives;  ///< those right above it
   ParsedBlock parsed;
@@ -50,12 +63,14 @@ struct AnalysedBlock {
     return std::span(places).subspan(begin, definitions[definition].places_end - begin);
   }
   NameId defined(uint32_t definition) const { return definitions[definition].name; }
-  /// True where scanning gave the same block again, wherever it now stands.
-  bool is_same(std::string_view text, const BlockExtent& extent) const;
+  Standing standing(uint32_t definition) const;
+  /// True where scanning gave the same block again, wherever it now stands, and its macros stand for the same.
+  bool is_same(std::string_view text, const BlockExtent& extent, const MacroExpansion* expansion) const;
 };
 
 AnalysedBlock analyse_block(std::string_view text, const BlockExtent& extent, NameTable& table,
                             std::pmr::memory_resource* memory, std::pmr::memory_resource* dense,
-                            std::span<const uint32_t> factors = {});
+                            std::shared_ptr<const MacroExpansion> expansion, Reading reading = {},
+                            ImpliedMentions implied = {});
 
 }  // namespace texbrdf

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include "source/shared_pool.h"
 
@@ -58,12 +59,13 @@ class Reader {
 
   const AnalysedBlock* open(const PlacedBlock& block, std::string_view text, const PlacedBlock* before) {
     WorkingBlock working{.label = block.label, .extent = block.extent, .analysed = nullptr, .definitions = {}};
-    if (const PlacedBlock* same = find_same(text, block.extent, before)) {
+    std::shared_ptr<const MacroExpansion> expansion = expand_macros(text, block.extent, state_.macros);
+    if (const PlacedBlock* same = find_same(text, block.extent, expansion.get(), before)) {
       working.analysed = same->analysed;
       working.definitions = same->definitions;
     } else {
-      working.analysed = analysed_.make(
-          analyse_block(text, block.extent, *state_.names, analysed_.memory(), analysed_.dense_memory()));
+      working.analysed = analysed_.make(analyse_block(text, block.extent, *state_.names, analysed_.memory(),
+                                                      analysed_.dense_memory(), std::move(expansion)));
       working.definitions.resize(working.analysed->parsed.definitions.size());
       ++counters_.blocks_parsed;
     }
@@ -72,18 +74,19 @@ class Reader {
     return analysed;
   }
 
-  const PlacedBlock* find_same(std::string_view text, const BlockExtent& extent, const PlacedBlock* before) {
-    if (before != nullptr && before->analysed->is_same(text, extent)) return before;
+  const PlacedBlock* find_same(std::string_view text, const BlockExtent& extent, const MacroExpansion* expansion,
+                               const PlacedBlock* before) {
+    if (before != nullptr && before->analysed->is_same(text, extent, expansion)) return before;
     if (touched_.before.size() <= 1) return nullptr;
     if (!listed_) list_gone();
     const auto found = gone_.find(text);
-    return found != gone_.end() && found->second->analysed->is_same(text, extent) ? found->second : nullptr;
+    return found != gone_.end() && found->second->analysed->is_same(text, extent, expansion) ? found->second : nullptr;
   }
 
   void list_gone() {
     listed_ = true;
     for (const auto& [label, block] : touched_.before) {
-      if (block) gone_.emplace(block->analysed->parsed.text, block.get());
+      if (block) gone_.emplace(block->analysed->parsed.source(), block.get());
     }
   }
 

@@ -12,6 +12,17 @@ void make_unique(std::vector<NameId>& names) {
   names.erase(repeated.begin(), repeated.end());
 }
 
+void make_unique(ChangedNames& names) {
+  make_unique(names.listed);
+  make_unique(names.to_check);
+  make_unique(names.reordered);
+  make_unique(names.mentioned);
+}
+
+void append(std::vector<NameId>& to, const std::vector<NameId>& names) {
+  to.insert(to.end(), names.begin(), names.end());
+}
+
 std::vector<NameId> mentions_of(const AnalysedBlock* block) {
   if (block == nullptr) return {};
   std::vector<NameId> names(block->mentions.begin(), block->mentions.end());
@@ -34,23 +45,15 @@ class NameUpdate {
     for (const BlockChange& change : changes) {
       if (change.before == change.after && !lists_changed_) continue;
       update_definitions(change);
-      if (is_all_new_) {
-        for (NameId name : change.after->mentions) names_.is_mentioned[name.value] = true;
-      } else {
-        update_mentions(change);
-      }
+      if (!is_all_new_) update_mentions(change);
     }
-    make_unique(names_.listed);
-    make_unique(names_.to_check);
-    make_unique(names_.reordered);
-    make_unique(names_.mentioned);
+    make_unique(names_);
     return std::move(names_);
   }
 
  private:
   void reserve(size_t blocks) {
     single_keys_ = Sequence<DefinitionKey>::Pool(blocks);
-    names_.is_mentioned.resize(state_.names->size());
     names_.listed.reserve(blocks);
     names_.to_check.reserve(blocks);
     names_.reordered.reserve(blocks);
@@ -63,14 +66,14 @@ class NameUpdate {
     for (uint32_t i = 0; i < count; ++i) {
       const NameId old_name = i < definition_count(before) ? before->defined(i) : NameId{};
       const NameId new_name = i < definition_count(after) ? after->defined(i) : NameId{};
-      if (old_name != new_name) {
-        const DefinitionKey key{change.label, i};
-        if (old_name.valid()) erase_key(state_.occurrences[old_name.value].definitions, key);
-        if (new_name.valid()) insert_definition(new_name, key);
-      }
-      note(old_name, old_name != new_name);
-      note(new_name, old_name != new_name);
-      if (old_name != new_name || !std::ranges::equal(before->mentions_of(i), after->mentions_of(i))) {
+      const DefinitionKey old_key{change.label, i, old_name.valid() ? before->standing(i) : Standing::Display};
+      const DefinitionKey new_key{change.label, i, new_name.valid() ? after->standing(i) : Standing::Display};
+      const bool has_moved = old_name != new_name || old_key.standing != new_key.standing;
+      if (has_moved && old_name.valid()) erase_key(state_.occurrences[old_name.value].definitions, old_key);
+      if (has_moved && new_name.valid()) insert_definition(new_name, new_key);
+      note(old_name, has_moved);
+      note(new_name, has_moved);
+      if (has_moved || !std::ranges::equal(before->mentions_of(i), after->mentions_of(i))) {
         if (old_name.valid()) names_.reordered.push_back(old_name);
         if (new_name.valid()) names_.reordered.push_back(new_name);
       }
@@ -96,6 +99,8 @@ class NameUpdate {
     const std::vector<NameId> before = mentions_of(change.before);
     const std::vector<NameId> after = mentions_of(change.after);
     if (lists_changed_) {
+      // A block that is read again because of a macro was listed as it was read before.
+      for (NameId name : before) erase_key(state_.occurrences[name.value].users, UserKey{change.label});
       for (NameId name : after) insert_key(state_.occurrences[name.value].users, UserKey{change.label});
     }
     if (before == after) return;
@@ -137,6 +142,18 @@ ChangedNames update_names(EngineState& state, const std::vector<BlockChange>& ch
   state.occurrences.resize(state.names->size());
   state.name_states.resize(state.names->size());
   return NameUpdate(state, all_new).run(changes);
+}
+
+void add_changed_names(EngineState& state, const std::vector<BlockChange>& changes, ChangedNames& names) {
+  state.occurrences.resize(state.names->size());
+  state.name_states.resize(state.names->size());
+  if (changes.empty()) return make_unique(names.to_check);
+  const ChangedNames more = NameUpdate(state, !state.lists_users).run(changes);
+  append(names.listed, more.listed);
+  append(names.to_check, more.to_check);
+  append(names.reordered, more.reordered);
+  append(names.mentioned, more.mentioned);
+  make_unique(names);
 }
 
 }  // namespace texbrdf

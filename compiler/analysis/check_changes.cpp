@@ -2,19 +2,36 @@
 
 #include <algorithm>
 #include <queue>
+#include <utility>
 
+#include "semantics/implied_parameters.h"
 #include "source/shared_pool.h"
 
 namespace texbrdf {
 namespace {
 
-class KnownFacts final : public Facts {
+/// More instances than this are not checked again to see whether users have to be.
+constexpr size_t kMostKeptInstances = 32;
+
+class KnownFacts final : public InstanceFacts {
  public:
-  explicit KnownFacts(const std::vector<NameState>& names) : names_(names) {}
-  const NameFact& fact(NameId name) const override { return names_[name.value].fact; }
+  KnownFacts(EngineState& state, const WorkingBlocks& blocks) : state_(state), blocks_(blocks) {}
+  const NameFact& fact(NameId name) const override { return state_.name_states[name.value].fact; }
 
  private:
-  const std::vector<NameState>& names_;
+  std::optional<DefinitionView> definition(NameId function) const override {
+    const std::optional<DefinitionKey> key = state_.in_force(function);
+    if (!key || state_.name_states[function.value].in_knot) return std::nullopt;
+    const AnalysedBlock& block = *blocks_.analysed(key->block);
+    return DefinitionView{block.parsed, block.parsed.definitions[key->index_in_block], block.names, *state_.names,
+                          *this};
+  }
+  InstancesOfFunction& known_instances(NameId function) const override {
+    return state_.name_states[function.value].instances;
+  }
+
+  EngineState& state_;
+  const WorkingBlocks& blocks_;
 };
 
 class CheckChanges {
@@ -35,7 +52,11 @@ class CheckChanges {
   }
 
   void run_in_order(const std::vector<NameId>& order) {
-    for (NameId name : order) state_of(name).fact = fact_of(name);
+    for (NameState& name : state_.name_states) name.fact.is_parameter = name.uses_as_parameter > 0;
+    for (NameId name : order) {
+      state_of(name).instances.clear();
+      state_of(name).fact = fact_of(name);
+    }
     check_rest();
   }
 
@@ -63,7 +84,8 @@ class CheckChanges {
 
   void settle(NameId name) {
     NameFact now = fact_of(name);
-    if (now == state_of(name).fact) return;
+    const InstancesOfFunction instances = std::exchange(state_of(name).instances, {});
+    if (now == state_of(name).fact && are_same(name, instances)) return;
     state_of(name).fact = std::move(now);
     state_.occurrences[name.value].users.visit_from(0, [&](const UserKey& user, const UserKey&) {
       recheck_users(user.block, name);
@@ -71,12 +93,29 @@ class CheckChanges {
     });
   }
 
+  /// Those below the name are settled: they can be found out about again.
+  bool are_same(NameId name, const InstancesOfFunction& instances) const {
+    if (instances.size() > kMostKeptInstances) return false;
+    return std::ranges::all_of(instances,
+                               [&](const auto& known) { return facts_.instance({name, known.first}) == known.second; });
+  }
+
   NameFact fact_of(NameId name) {
     const std::optional<DefinitionKey> key = state_.in_force(name);
-    if (!key) return {};
-    if (state_of(name).in_knot) return {NameFact::Kind::Defined, poison(*key)};
+    if (!key) return absent(name);
+    const std::vector<NameId>& parameters = state_of(name).parameters;
+    if (state_of(name).in_knot) return {NameFact::Kind::Defined, poison(*key), parameters};
     const CheckedDefinition& checked = check(*key);
-    return {NameFact::Kind::Defined, checked.signature};
+    if (checked.signature.has_implied_parameters) {
+      return {NameFact::Kind::Defined, checked.signature, implied_parameters(checked)};
+    }
+    return {NameFact::Kind::Defined, checked.signature, parameters};
+  }
+
+  NameFact absent(NameId name) {
+    NameFact fact;
+    fact.is_parameter = state_of(name).uses_as_parameter > 0;
+    return fact;
   }
 
   // Definitions on a cycle have no types; what they take is known all the same.
@@ -108,9 +147,8 @@ class CheckChanges {
     if (record) return record->checked;
     ++counters_.definitions_checked;
     const AnalysedBlock& analysed = *block->analysed;
-    const KnownFacts facts(state_.name_states);
     record = records_.make(check_definition(analysed.parsed, analysed.parsed.definitions[key.index_in_block],
-                                            analysed.names, *state_.names, facts));
+                                            analysed.names, *state_.names, facts_));
     return record->checked;
   }
 
@@ -123,6 +161,7 @@ class CheckChanges {
   EngineState& state_;
   WorkingBlocks& blocks_;
   Counters& counters_;
+  const KnownFacts facts_{state_, blocks_};
   std::priority_queue<Waiting> queue_;
   std::vector<bool> is_queued_;  // by NameId
   std::vector<DefinitionKey> rest_;

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <mutex>
+#include <vector>
 
 #include "ir/program.h"
 #include "semantics/check.h"
@@ -23,9 +25,20 @@ class DefinitionRecord {
     return *linkable_;
   }
 
+  /// The same for the function with parameters of other types.
+  template <typename Make>
+  const ir::LinkableDefinition& linkable_as(const std::vector<Type>& parameters, const Make& make) const {
+    const std::lock_guard lock(instances_mutex_);
+    std::unique_ptr<const ir::LinkableDefinition>& known = instances_[parameters];
+    if (!known) known = std::make_unique<const ir::LinkableDefinition>(make());
+    return *known;
+  }
+
  private:
   mutable std::once_flag linkable_once_;
   mutable std::unique_ptr<const ir::LinkableDefinition> linkable_;
+  mutable std::mutex instances_mutex_;
+  mutable std::map<std::vector<Type>, std::unique_ptr<const ir::LinkableDefinition>> instances_;
 };
 
 }  // namespace texbrdf

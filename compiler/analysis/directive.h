@@ -10,7 +10,7 @@
 
 namespace texbrdf {
 
-/// What a comment `% texbrdf: …` asks for.
+/// What a comment `% texbrdf: …`, in Markdown `<!-- texbrdf: … -->`, asks for.
 struct Directive {
   enum class Kind : uint8_t {
     Root,    ///< root = NAME: the definition that is the BRDF
@@ -27,7 +27,8 @@ struct Directive {
 /// The canonical name of a Root.
 std::string root_of(const Directive& directive);
 
-/// `comment` is from the `%` to the end of the line; nothing where it does not begin with `% texbrdf:`.
+/// `comment` is from the `%` to the end of the line, or from `<!--` to `-->`; nothing where it does not begin with
+/// `% texbrdf:`, `<!-- texbrdf:`.
 std::optional<Directive> read_directive(std::string_view comment, Span span);
 
 /// Those right above a block: in front of its \begin.

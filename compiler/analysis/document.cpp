@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "analysis/changed_macros.h"
 #include "analysis/changed_names.h"
 #include "analysis/engine_state.h"
 #include "analysis/rescan.h"
@@ -36,7 +37,7 @@ struct Document::State {
     engine = {};
     engine.text = std::move(text);
     engine.segments = scan_files(engine.text);
-    touched = {.all = true, .before = {}};
+    touched = {.all = true, .macros = true, .before = {}};
     occurrences = {};
     scanned = engine.segments.measure().blocks;
     is_current = false;
@@ -50,6 +51,7 @@ struct Document::State {
     }
     engine.segments = std::move(result.segments);
     scanned += result.added.size();
+    if (result.macros) touched.macros = true;
     if (!touched.all) touch(result);
     is_current = false;
   }
@@ -66,6 +68,7 @@ struct Document::State {
     if (names > kFewNames && names > kMaxNamesPerDefinition * engine.segments.measure().definitions) {
       start_anew(std::move(engine.text));
     }
+    if (touched.macros) update_macros(engine, touched);
     UpdateResult result = update(engine, touched, occurrences);
     touched = {};
     occurrences = std::move(result.occurrences);
@@ -101,8 +104,8 @@ struct Document::State {
   }
 };
 
-Document::Document(SourceText text) : state_(std::make_unique<State>()) {
-  state_->start_anew(ProjectText(std::move(text)));
+Document::Document(SourceText text, TextLanguage language) : state_(std::make_unique<State>()) {
+  state_->start_anew(ProjectText(std::move(text), language));
 }
 Document::~Document() = default;
 Document::Document(Document&&) noexcept = default;
@@ -125,6 +128,17 @@ void Document::set_text(FileId file, std::string_view text) {
   replace(file, change.span, change.replacement);
 }
 
+TextLanguage Document::language(FileId file) const {
+  return state_->engine.text.language(file);
+}
+
+void Document::set_language(FileId file, TextLanguage language) {
+  ProjectText& all = state_->engine.text;
+  if (all.language(file) == language) return;
+  all.set_language(file, language);
+  state_->start_anew(std::move(all));
+}
+
 const SourceText& Document::text(FileId file) const {
   return state_->engine.text.file(file);
 }
@@ -133,13 +147,13 @@ uint32_t Document::file_count() const {
   return state_->engine.text.file_count();
 }
 
-void Document::insert_file(FileId at, const SourceText& text) {
+void Document::insert_file(FileId at, const SourceText& text, TextLanguage language) {
   EngineState& engine = state_->engine;
   require(at.value > 0 && at.value <= file_count(), "a file is put behind another");
   engine.segments = with_empty_file(engine.segments, engine.text, at);
   const bool has_room = text.size() < SourceText::kMaxBytes - std::min(SourceText::kMaxBytes, engine.text.size() + 1);
   const SourceText taken = has_room ? text : SourceText();
-  engine.text.insert(at, taken);
+  engine.text.insert(at, taken, language);
   state_->edit({at, 0, 0, taken.size()});
 }
 

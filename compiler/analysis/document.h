@@ -6,6 +6,7 @@
 
 #include "analysis/include.h"
 #include "analysis/snapshot.h"
+#include "source/text_language.h"
 
 namespace texbrdf {
 
@@ -14,8 +15,9 @@ namespace texbrdf {
 /// before. One thread owns it; snapshots may be read by any other.
 class Document {
  public:
-  explicit Document(std::string_view text) : Document(SourceText(text)) {}
-  explicit Document(SourceText text);
+  explicit Document(std::string_view text, TextLanguage language = TextLanguage::Latex)
+      : Document(SourceText(text), language) {}
+  explicit Document(SourceText text, TextLanguage language = TextLanguage::Latex);
   ~Document();
   Document(Document&&) noexcept;
   Document& operator=(Document&&) noexcept;
@@ -26,10 +28,13 @@ class Document {
   void set_text(std::string_view text) { set_text(FileId{}, text); }
   void set_text(FileId file, std::string_view text);
   const SourceText& text(FileId file = {}) const;
+  TextLanguage language(FileId file = {}) const;
+  /// Costs as much as a new document where it is another.
+  void set_language(FileId file, TextLanguage language);
 
   uint32_t file_count() const;
   /// The files from there on come behind it. The first file stays the first.
-  void insert_file(FileId at, const SourceText& text);
+  void insert_file(FileId at, const SourceText& text, TextLanguage language = TextLanguage::Latex);
   void remove_file(FileId file);
   /// What the prose of the file includes, in its order.
   std::vector<IncludeTarget> includes(FileId file = {}) const;

@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <unordered_set>
 #include <utility>
 
+#include "analysis/macro_places.h"
 #include "analysis/snapshot_state.h"
 #include "analysis/tuple_fix.h"
 #include "semantics/nearest_name.h"
@@ -81,6 +83,9 @@ class Collector {
     const size_t first = all_.size();
     take_what_was_read(block);
     for (uint32_t i = 0; i < block.block->definitions.size(); ++i) take_definition({block, i});
+    if (const MacroExpansion* expansion = block.block->expansion) {
+      for (size_t i = first; i < all_.size(); ++i) follow_macros(all_[i].diagnostic, *expansion);
+    }
     for (const Directive& directive : block.block->analysed->directives) {
       if (directive.kind == Directive::Kind::Allow) silence(directive.argument, first);
     }
@@ -94,11 +99,25 @@ class Collector {
     for (uint32_t i = 0; i < definitions.size(); ++i) {
       const uint32_t first = definitions[i].first_diagnostic;
       const uint32_t end = definitions[i].end_diagnostic;
-      take(all.subspan(next, first - next), block.id, NameId{});
-      take(all.subspan(first, end - first), block.id, block.block->analysed->defined(i));
+      take(all.subspan(next, first - next), block, NameId{});
+      take(all.subspan(first, end - first), block, block.block->analysed->defined(i));
       next = end;
     }
-    take(all.subspan(next), block.id, NameId{});
+    take(all.subspan(next), block, NameId{});
+  }
+
+  /// What is wrong in what a macro made is mended where the macro is defined.
+  void follow_macros(Diagnostic& diagnostic, const MacroExpansion& expansion) {
+    std::erase_if(diagnostic.fixes, [&](const Fix& fix) {
+      return !std::ranges::all_of(fix.edits,
+                                  [&](const Edit& edit) { return expansion.is_replaceable(edit.where.span); });
+    });
+    const MacroUse* const use = expansion.maker_of(diagnostic.where.span);
+    if (use == nullptr || diagnostic.severity == Severity::Hint) return;
+    if (!macros_) macros_.emplace(state_);
+    if (const auto place = macros_->definition_of(use->name)) {
+      diagnostic.related.push_back({*place, "`\\" + use->name + "` is defined here"});
+    }
   }
 
   void silence(const std::string& code, size_t first) {
@@ -108,19 +127,21 @@ class Collector {
                all_.end());
   }
 
-  void take(std::span<const Diagnostic> diagnostics, BlockId block, NameId about) {
+  void take(std::span<const Diagnostic> diagnostics, const LocatedBlock& block, NameId about) {
     for (const Diagnostic& diagnostic : diagnostics) {
       all_.push_back({diagnostic, about});
-      put_into_block(all_.back().diagnostic, block);
+      put_into_block(all_.back().diagnostic, block.id);
     }
   }
 
   void take_definition(const LocatedDefinition& definition) {
     const CheckedDefinition& checked = definition.checked();
     const size_t first = all_.size();
-    take(checked.diagnostics, definition.at.id, definition.name());
+    take(checked.diagnostics, definition.at, definition.name());
     if (all_.size() > first) suggestions_.enter(checked);
+    const bool is_remark = !definition.placed().in_force && is_in_prose(definition);
     for (size_t i = first; i < all_.size(); ++i) {
+      if (is_remark && is_demotable(all_[i].diagnostic)) all_[i].diagnostic.severity = Severity::Hint;
       if (all_[i].diagnostic.code == Code::UndefinedName) suggestions_.add_to(all_[i].diagnostic);
       add_tuple_fix(definition, all_[i].diagnostic);
     }
@@ -150,9 +171,13 @@ class Collector {
     const std::optional<DefinitionKey> first = state_.find(name);
     if (!first) return;
     add(make_diagnostic(Code::Redefinition, definition.name_place(), {name_text(name)}), name);
-    // Prose says values again, and says others for what it discusses.
-    if (is_inline(definition.at.parsed().extent.region)) all_.back().diagnostic.severity = Severity::Hint;
-    all_.back().diagnostic.related.push_back({state_.locate(*first).name_place(), "first defined here"});
+    if (is_in_prose(definition)) all_.back().diagnostic.severity = Severity::Hint;
+    all_.back().diagnostic.related.push_back({state_.locate(*first).name_place(), "this one is in force"});
+  }
+
+  /// Prose says values again, and says others for what it discusses.
+  static bool is_in_prose(const LocatedDefinition& definition) {
+    return definition.at.block->analysed->standing(definition.index_in_block) != Standing::Display;
   }
 
   void report_cycle(const Cycle& cycle) {
@@ -160,17 +185,29 @@ class Collector {
     std::string path;
     for (NameId name : told) path += "`" + name_text(name) + "` → ";
     if (told.size() < cycle.size()) path += "… → ";
-    Diagnostic diagnostic = make_diagnostic(Code::CircularDefinition, name_place(cycle.front()),
-                                            {path + "`" + name_text(cycle.front()) + "`"});
+    const Location where = cycle.size() == 1 ? own_use(cycle.front()) : name_place(cycle.front());
+    Diagnostic diagnostic =
+        make_diagnostic(Code::CircularDefinition, where, {path + "`" + name_text(cycle.front()) + "`"});
     for (NameId name : told.subspan(1)) {
       diagnostic.related.push_back({name_place(name), "`" + name_text(name) + "` is on the way"});
     }
     add(std::move(diagnostic), cycle.front());
   }
 
+  /// Where a definition of itself mentions itself.
+  Location own_use(NameId name) const {
+    const LocatedDefinition definition = state_.locate(*state_.find(name));
+    for (const NamePlace& place : definition.at.block->analysed->places_of(definition.index_in_block)) {
+      const bool is_use = place.name == name && place.node != definition.syntax().name;
+      if (is_use) return {.file = {}, .block = definition.at.id, .span = place.span};
+    }
+    return definition.name_place();
+  }
+
   const Snapshot::State& state_;
   Suggestions suggestions_;
   size_t tuple_fixes_ = 0;
+  std::optional<MacroPlaces> macros_;  // found when they are first asked for
   std::vector<Report> all_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -11,7 +12,9 @@
 #include "analysis/project_text.h"
 #include "analysis/segment.h"
 #include "semantics/check.h"
-#include "semantics/factors.h"
+#include "semantics/instance_facts.h"
+#include "semantics/known_names.h"
+#include "syntax/macro_table.h"
 
 namespace texbrdf {
 
@@ -19,8 +22,11 @@ namespace texbrdf {
 /// checking.
 struct NameState {
   NameFact fact;
+  InstancesOfFunction instances;  ///< that were asked for since the fact or one of them last changed
   NameKind kind = NameKind::Absent;
-  std::vector<NameId> mentions;  ///< kept here too because walks over many definitions are quicker so
+  std::vector<NameId> parameters;  ///< of a function, see KnownNames
+  uint32_t uses_as_parameter = 0;  ///< how often the name stands in `parameters` of others
+  std::vector<NameId> mentions;    ///< kept here too because walks over many definitions are quicker so
   /// Greater than that of every name that the definition mentions, unless it is in a knot; 0 where there is none.
   uint32_t height = 0;
   bool in_knot = false;  ///< its definition needs itself
@@ -41,18 +47,22 @@ struct RootChoice {
 struct EngineState {
   ProjectText text;
   SegmentSequence segments;
+  MacroTable macros;
   std::shared_ptr<NameTable> names = std::make_shared<NameTable>();
   std::vector<NameState> name_states;        ///< by NameId
   std::vector<NameOccurrences> occurrences;  ///< by NameId
   bool lists_users = false;                  ///< who mentions a name is listed when it is first needed
-  uint64_t rereadings = 0;                   ///< of blocks that were not edited
+  /// Blocks with runs of letters that are no names by themselves: how they are read may change with any definition.
+  std::set<BlockLabel> open_words;
+  uint64_t rereadings = 0;  ///< of blocks that were not edited
   DirectionalNames directional;
   RootChoice root;
   /// By NameId, the names that the root needs; nullptr where no report depends on it.
   std::shared_ptr<const std::vector<bool>> needed;
   std::shared_ptr<const std::vector<Cycle>> cycles = std::make_shared<const std::vector<Cycle>>();
 
-  /// The first definition of a name is in force; one of a constant of the convention never is.
+  /// The first definition of a name among those of the best standing is in force; one of a constant of the convention
+  /// never is.
   std::optional<DefinitionKey> in_force(NameId name) const {
     const Sequence<DefinitionKey>& definitions = occurrences[name.value].definitions;
     const NameTraits& traits = names->traits(name);
@@ -64,7 +74,8 @@ struct EngineState {
 
 /// Blocks that were scanned since the document was last checked.
 struct TouchedBlocks {
-  bool all = false;  ///< the document is new: `before` is empty, every block is touched
+  bool all = false;     ///< the document is new: `before` is empty, every block is touched
+  bool macros = false;  ///< definitions of macros may be others
   std::unordered_map<BlockLabel, std::shared_ptr<const PlacedBlock>> before;  ///< what stood there then, or nullptr
 };
 

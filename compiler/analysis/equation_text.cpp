@@ -4,6 +4,8 @@
 #include <array>
 #include <string_view>
 
+#include "source/characters.h"
+
 namespace texbrdf {
 namespace {
 
@@ -11,19 +13,11 @@ namespace {
 constexpr auto kLayoutCommands =
     std::to_array<std::string_view>({"\\label", "\\tag", "\\nonumber", "\\notag", "\\displaystyle"});
 
-bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v';
-}
-
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
 class LineWriter {
  public:
   void add_token(std::string_view text) {
     for (char c : text) {
-      if (is_blank(c)) {
+      if (is_space(c)) {
         add_space();
       } else {
         out_ += c;
@@ -36,7 +30,7 @@ class LineWriter {
     while (!gap.empty()) {
       if (gap.front() == '%') {
         gap.remove_prefix(std::min(gap.find_first_of("\r\n"), gap.size()));
-      } else if (is_blank(gap.front())) {
+      } else if (is_space(gap.front())) {
         add_space();
         gap.remove_prefix(1);
       } else if (const size_t layout = layout_length(gap)) {

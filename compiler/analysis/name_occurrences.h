@@ -1,5 +1,8 @@
 #pragma once
 
+#include <compare>
+#include <tuple>
+
 #include "analysis/segment.h"
 #include "semantics/names.h"
 
@@ -9,11 +12,20 @@ namespace texbrdf {
 struct DefinitionKey {
   BlockLabel block = 0;
   uint32_t index_in_block = 0;
+  Standing standing = Standing::Display;
+
+  constexpr std::tuple<BlockLabel, uint32_t> place() const { return {block, index_in_block}; }
 
   using Measure = DefinitionKey;  ///< of a list: its greatest key
   Measure measure() const { return *this; }
   friend DefinitionKey operator+(const DefinitionKey& a, const DefinitionKey& b) { return std::max(a, b); }
-  friend constexpr auto operator<=>(const DefinitionKey&, const DefinitionKey&) = default;
+  friend constexpr bool operator==(const DefinitionKey& a, const DefinitionKey& b) {
+    return a.block == b.block && a.index_in_block == b.index_in_block;
+  }
+  friend constexpr std::strong_ordering operator<=>(const DefinitionKey& a, const DefinitionKey& b) {
+    if (a.standing != b.standing) return a.standing <=> b.standing;
+    return a.standing == Standing::Value ? b.place() <=> a.place() : a.place() <=> b.place();
+  }
 };
 
 /// A block that mentions a name.
@@ -26,7 +38,7 @@ struct UserKey {
   friend constexpr auto operator<=>(const UserKey&, const UserKey&) = default;
 };
 
-/// Where a name occurs, in document order.
+/// Where a name occurs, in document order; its definitions in order of standing first.
 struct NameOccurrences {
   Sequence<DefinitionKey> definitions;
   Sequence<UserKey> users;

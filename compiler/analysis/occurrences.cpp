@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 
 #include "analysis/snapshot.h"
 #include "analysis/snapshot_state.h"
@@ -20,11 +21,23 @@ class NameReader {
   const Referent& referent(NodeId node) const {
     return definition_.checked().referents[node.value - definition_.syntax().first_node];
   }
-  /// Each name means one thing: there is no parameter that hides one, and nothing that is not read.
-  bool is_plain() const { return definition_.at.block->reports == 0 && named_.left == named_.name_node; }
+  /// Each name means one thing: there is no parameter or index that hides one, and nothing that is not read.
+  bool is_plain() const {
+    return definition_.at.block->reports == 0 && named_.left == named_.name_node &&
+           definition_.at.block->analysed->names.binders.empty();
+  }
 
-  Occurrence occurrence(const NamePlace& place) const {
-    Occurrence found = without_target(place, referent(place.node));
+  /// It is the variable of a derivative by what the other one is.
+  bool is_taken_by(const Referent& bound, const Referent& other) const {
+    if (bound.kind != Referent::Kind::Bound) return false;
+    const NodeId variable = definition_.checked().bound[bound.index].variable;
+    return referent(variable) == other;
+  }
+
+  Occurrence occurrence(const NamePlace& place) const { return with_target(place, referent(place.node)); }
+
+  Occurrence with_target(const NamePlace& place, const Referent& referent) const {
+    Occurrence found = without_target(place, referent);
     if (found.node != named_.name_node && found.referent.kind == Referent::Kind::Definition) {
       const std::optional<DefinitionKey> target = state_.find(found.name);
       if (target) found.target = state_.locate(*target).id();
@@ -35,13 +48,17 @@ class NameReader {
   /// Of a reference the target is not looked up.
   Occurrence without_target(const NamePlace& place, const Referent& referent) const {
     Occurrence found;
-    found.span = {definition_.at.offset + place.span.begin, definition_.at.offset + place.span.end};
+    const MacroExpansion* const expansion = definition_.at.block->expansion;
+    const Span source = expansion != nullptr ? expansion->in_source(place.span) : place.span;
+    found.span = {definition_.at.offset + source.begin, definition_.at.offset + source.end};
+    found.is_made = expansion != nullptr && !expansion->is_written(place.span);
     found.node = place.node;
     found.block = definition_.at.id;
     found.name = place.name;
     found.inside = definition_.id();
     found.referent = referent;
-    found.is_definition = place.node.value <= named_.left.value;
+    const bool is_new = place.node == named_.name_node || referent.kind == Referent::Kind::Parameter;
+    found.is_definition = place.node.value <= named_.left.value && is_new;
     if (found.node == named_.name_node) found.target = definition_.id();
     return found;
   }
@@ -103,24 +120,64 @@ bool may_hold(const LocatedDefinition& definition, NameId name) {
   return definition.name() == name || std::ranges::find(mentions, name) != mentions.end();
 }
 
+/// What stands in the further right sides of chains and means something beyond them: visits a place and its referent.
+template <typename Visit>
+void visit_restatements(const Snapshot& snapshot, const LocatedBlock& block, const Visit& visit) {
+  const AnalysedBlock& analysed = *block.block->analysed;
+  for (const Restatement& restatement : analysed.parsed.restatements) {
+    const LocatedDefinition definition{block, restatement.definition};
+    const CheckedRestatement again = snapshot.check_restatement({definition.id(), restatement.body});
+    for (uint32_t node = definition.syntax().node.value + 1; node <= restatement.body.value; ++node) {
+      const NameId name = analysed.names.by_node[node];
+      const Referent& referent = again.checked.referents[node - again.syntax.first_node];
+      const bool is_known = referent.kind == Referent::Kind::Definition || referent.kind == Referent::Kind::Parameter ||
+                            referent.kind == Referent::Kind::Convention;
+      const bool is_its_own = analysed.parsed.tree.node(NodeId{node}).first_token >=
+                              analysed.parsed.tree.node(restatement.body).first_token;
+      if (!name.valid() || !is_known || !is_its_own) continue;
+      visit(definition, NamePlace{name, NodeId{node}, analysed.parsed.span(NodeId{node})}, referent);
+    }
+  }
+}
+
+bool mentions_again(const Segment& segment, NameId name) {
+  const auto& names = segment.block->analysed->names.by_node;
+  return std::ranges::find(names, name) != names.end();
+}
+
+/// A macro may write a name, or its argument, more than once.
+void leave_out_repeated(std::vector<Occurrence>& occurrences) {
+  std::set<Span> seen;
+  std::erase_if(occurrences, [&](const Occurrence& occurrence) { return !seen.insert(occurrence.span).second; });
+}
+
 }  // namespace
 
 std::optional<Occurrence> Snapshot::occurrence_at(uint32_t offset) const {
   const std::optional<BlockId> id = block_at(offset);
   if (!id) return std::nullopt;
   const LocatedBlock block = state_->locate(*id);
-  const uint32_t relative = offset - block.offset;
+  const std::optional<uint32_t> relative = block.parsed().from_source(offset - block.offset);
+  if (!relative) return std::nullopt;
   std::optional<Occurrence> touched;
   for (uint32_t i = 0; i < block.block->definitions.size(); ++i) {
     const LocatedDefinition definition{block, i};
     const NameReader reader(*state_, definition);
     for (const NamePlace& place : reader.places()) {
-      if (!place.span.touches(relative)) continue;
-      const bool is_inside = relative < place.span.end;
-      if (is_inside || !touched) touched = reader.occurrence(place);
+      if (!place.span.touches(*relative)) continue;
+      const bool is_inside = *relative < place.span.end;
+      Occurrence found = reader.occurrence(place);
+      if (found.is_made) continue;
+      if (is_inside || !touched) touched = found;
       if (is_inside) return touched;
     }
   }
+  if (touched) return touched;
+  visit_restatements(*this, block, [&](const LocatedDefinition& definition, const NamePlace& place, const Referent& r) {
+    if (!place.span.touches(*relative) || (touched && *relative >= place.span.end)) return;
+    const Occurrence found = NameReader(*state_, definition).with_target(place, r);
+    if (!found.is_made) touched = found;
+  });
   return touched;
 }
 
@@ -135,14 +192,31 @@ std::vector<Occurrence> Snapshot::occurrences_of(const Occurrence& occurrence) c
     const bool is_the_same = is_what_names_mean && reader.is_plain();
     for (const NamePlace& place : reader.places()) {
       if (place.name != occurrence.name) continue;
-      if (!is_the_same && reader.referent(place.node) != occurrence.referent) continue;
+      const Referent* const referent = is_the_same ? nullptr : &reader.referent(place.node);
+      const bool is_meant =
+          referent == nullptr || *referent == occurrence.referent || reader.is_taken_by(*referent, occurrence.referent);
+      if (!is_meant) continue;
       found.push_back(reader.without_target(place, occurrence.referent));
       const bool is_reference = found.back().referent.kind == Referent::Kind::Definition;
       if (is_reference && !found.back().target.valid()) found.back().target = in_force;
     }
   };
-  if (occurrence.referent.kind == Referent::Kind::Parameter) {
-    read(state_->locate(occurrence.inside));
+  const auto read_restatements = [&](const LocatedBlock& block) {
+    visit_restatements(
+        *this, block, [&](const LocatedDefinition& definition, const NamePlace& place, const Referent& r) {
+          const bool is_meant = place.name == occurrence.name && r == occurrence.referent;
+          const bool is_inside = r.kind != Referent::Kind::Parameter || definition.id() == occurrence.inside;
+          if (is_meant && is_inside) found.push_back(NameReader(*state_, definition).with_target(place, r));
+        });
+  };
+  const bool is_bound = occurrence.referent.kind == Referent::Kind::Bound ||
+                        occurrence.referent.kind == Referent::Kind::BoundAngle ||
+                        occurrence.referent.kind == Referent::Kind::Indexed;
+  if (is_bound || occurrence.referent.kind == Referent::Kind::Parameter) {
+    const LocatedDefinition inside = state_->locate(occurrence.inside);
+    read(inside);
+    read_restatements(inside.at);
+    if (state_->segments.measure().macros > 0) leave_out_repeated(found);
     return found;
   }
   visit_blocks_with(*this, *state_, occurrence.name, [&](const LocatedBlock& block) {
@@ -151,8 +225,18 @@ std::vector<Occurrence> Snapshot::occurrences_of(const Occurrence& occurrence) c
       if (may_hold(definition, occurrence.name)) read(definition);
     }
   });
+  const size_t from_definitions = found.size();
+  state_->segments.visit_where([](const Segment::Measure& sum) { return sum.restatements > 0; },
+                               [&](const Segment& segment, const Segment::Measure& before) {
+                                 if (mentions_again(segment, occurrence.name)) {
+                                   read_restatements(state_->located(segment, before));
+                                 }
+                                 return true;
+                               });
+  if (found.size() > from_definitions) std::ranges::sort(found, {}, &Occurrence::span);
   // Unknown commands are in no list of names.
   if (found.empty() && occurrence.inside.valid()) read(state_->locate(occurrence.inside));
+  if (state_->segments.measure().macros > 0) leave_out_repeated(found);
   return found;
 }
 

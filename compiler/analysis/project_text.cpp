@@ -29,14 +29,16 @@ void ProjectText::set(FileId id, SourceText text) {
   place_from(id.value + 1);
 }
 
-void ProjectText::insert(FileId id, SourceText text) {
+void ProjectText::insert(FileId id, SourceText text, TextLanguage language) {
   files_.insert(files_.begin() + id.value, std::move(text));
+  languages_.insert(languages_.begin() + id.value, language);
   begins_.push_back(0);
   place_from(id.value);
 }
 
 void ProjectText::remove(FileId id) {
   files_.erase(files_.begin() + id.value);
+  languages_.erase(languages_.begin() + id.value);
   begins_.pop_back();
   place_from(id.value);
 }

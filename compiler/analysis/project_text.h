@@ -6,6 +6,7 @@
 
 #include "source/source_text.h"
 #include "source/span.h"
+#include "source/text_language.h"
 
 namespace texbrdf {
 
@@ -14,10 +15,11 @@ namespace texbrdf {
 class ProjectText {
  public:
   ProjectText() = default;
-  explicit ProjectText(SourceText text) : files_{std::move(text)}, begins_{0} {}
+  ProjectText(SourceText text, TextLanguage language) : files_{std::move(text)}, begins_{0}, languages_{language} {}
 
   uint32_t file_count() const { return static_cast<uint32_t>(files_.size()); }
   const SourceText& file(FileId id) const { return files_[id.value]; }
+  TextLanguage language(FileId id) const { return languages_[id.value]; }
   uint32_t begin(FileId id) const { return begins_[id.value]; }
   Span span(FileId id) const { return {begin(id), begin(id) + file(id).size()}; }
   uint32_t size() const { return files_.empty() ? 0 : span({file_count() - 1}).end; }
@@ -28,7 +30,8 @@ class ProjectText {
   std::string bytes() const;
 
   void set(FileId id, SourceText text);
-  void insert(FileId id, SourceText text);
+  void set_language(FileId id, TextLanguage language) { languages_[id.value] = language; }
+  void insert(FileId id, SourceText text, TextLanguage language);
   void remove(FileId id);
 
  private:
@@ -36,6 +39,7 @@ class ProjectText {
 
   std::vector<SourceText> files_;
   std::vector<uint32_t> begins_;
+  std::vector<TextLanguage> languages_;
 };
 
 }  // namespace texbrdf

@@ -1,5 +1,6 @@
 #include "analysis/rescan.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "source/shared_pool.h"
@@ -12,7 +13,11 @@ constexpr uint64_t kFirstWindow = 4096;
 constexpr uint64_t kWindowGrowth = 4;
 
 /// Stands between two files.
-const Segment kSeparator{.size = 1, .reach = 1, .block = nullptr, .remarks = nullptr};
+const Segment kSeparator{.size = 1, .reach = 1, .block = nullptr, .remarks = nullptr, .macros = nullptr};
+
+std::shared_ptr<const std::vector<MacroDefinition>> macros_in(const DocumentPart& part) {
+  return part.macros.empty() ? nullptr : std::make_shared<const std::vector<MacroDefinition>>(part.macros);
+}
 
 Include read_include(const IncludeCommand& command, std::string_view part) {
   const auto text = [part](Span span) { return std::string(part.substr(span.begin, span.size())); };
@@ -35,7 +40,8 @@ Segment prose_segment(const DocumentPart& part, std::string_view text) {
   return {.size = part.size,
           .reach = part.reach,
           .block = nullptr,
-          .remarks = read_remarks(part, text.substr(part.begin, part.size))};
+          .remarks = read_remarks(part, text.substr(part.begin, part.size)),
+          .macros = macros_in(part)};
 }
 
 Segment block_segment(const DocumentPart& part, BlockLabel label, SharedPool<PlacedBlock>& blocks) {
@@ -43,7 +49,8 @@ Segment block_segment(const DocumentPart& part, BlockLabel label, SharedPool<Pla
   block->label = label;
   block->extent = *part.block;
   block->extent.whole = {0, part.size};
-  return {.size = part.size, .reach = part.reach, .block = std::move(block), .remarks = nullptr};
+  return {
+      .size = part.size, .reach = part.reach, .block = std::move(block), .remarks = nullptr, .macros = macros_in(part)};
 }
 
 /// Labels between two others, evenly spread; empty where they do not fit.
@@ -58,7 +65,11 @@ std::vector<BlockLabel> labels_between(BlockLabel low, BlockLabel high, size_t c
 class Rescanner {
  public:
   Rescanner(const SegmentSequence& old, const ProjectText& text, const TextEdit& edit)
-      : old_(old), text_(text.file(edit.file)), edit_(edit), origin_(text.begin(edit.file)) {
+      : old_(old),
+        text_(text.file(edit.file)),
+        language_(text.language(edit.file)),
+        edit_(edit),
+        origin_(text.begin(edit.file)) {
     const auto first_of_file = segment_at(0);
     auto first = old.find([&](const Segment::Measure& sum) { return sum.reach >= origin_ + edit.begin; });
     if (first.index < first_of_file.index) first = first_of_file;
@@ -83,12 +94,18 @@ class Rescanner {
 
   uint64_t first_window() const { return edit_.begin - begin_ + edit_.new_size + kFirstWindow; }
 
+  bool starts_line() const {
+    if (begin_ == 0) return true;
+    const std::string before = text_.slice({begin_ - 1, begin_});
+    return before == "\n" || before == "\r";
+  }
+
   /// False where more of the text has to be seen.
   bool scan(uint64_t window) {
     const bool is_whole = window >= text_.size() - begin_;
     window_ = text_.slice({begin_, is_whole ? text_.size() : begin_ + static_cast<uint32_t>(window)});
     parts_.clear();
-    BlockScanner scanner(window_, is_whole);
+    BlockScanner scanner(window_, is_whole, language_, starts_line());
     uint32_t at = begin_;
     while (std::optional<DocumentPart> part = scanner.next()) {
       if (part->is_epilogue) part->size = part->reach = text_.size() - at;
@@ -105,7 +122,10 @@ class Rescanner {
       behind_ = end_of_file_;
       return true;
     }
-    if (at < edit_.begin + edit_.new_size) return false;
+    const uint32_t behind_edit = edit_.begin + edit_.new_size;
+    // In Markdown the byte before a part is to be an old one: it tells whether the part starts a line.
+    const bool is_behind = language_ == TextLanguage::Markdown ? at > behind_edit : at >= behind_edit;
+    if (!is_behind) return false;
     const uint32_t old_at = at - edit_.new_size + edit_.old_size;
     const auto next = segment_at(old_at);
     behind_ = next.index;
@@ -123,8 +143,11 @@ class Rescanner {
     old_.visit_from(first_, [&](const Segment& segment, const Segment::Measure&) {
       if (index++ == behind_) return false;
       if (segment.block) result.removed.push_back(segment.block);
+      if (segment.macros) result.macros = true;
       return true;
     });
+    if (std::ranges::any_of(parts_, [](const DocumentPart& part) { return !part.macros.empty(); }))
+      result.macros = true;
     const std::vector<BlockLabel> labels = choose_labels(result.removed);
     if (labels.size() < block_count()) {
       result.relabelled = true;
@@ -170,6 +193,7 @@ class Rescanner {
 
   const SegmentSequence& old_;
   const SourceText& text_;
+  const TextLanguage language_;
   const TextEdit edit_;
   const uint32_t origin_;     // of the file among all
   uint32_t first_ = 0;        // the first segment that is scanned again
@@ -189,7 +213,7 @@ SegmentSequence scan_files(const ProjectText& text) {
   size_t blocks = 0;
   for (uint32_t file = 0; file < text.file_count(); ++file) {
     bytes.push_back(text.file({file}).bytes());
-    parts.push_back(scan_parts(bytes.back()));
+    parts.push_back(scan_parts(bytes.back(), text.language({file})));
     blocks += static_cast<size_t>(
         std::ranges::count_if(parts.back(), [](const DocumentPart& part) { return part.block.has_value(); }));
   }

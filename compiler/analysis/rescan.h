@@ -12,6 +12,7 @@ struct Rescan {
   SegmentSequence segments;
   std::vector<std::shared_ptr<const PlacedBlock>> removed;
   std::vector<std::shared_ptr<const PlacedBlock>> added;  ///< not read yet; one in the place of another has its label
+  bool macros = false;                                    ///< some are defined in what was removed or added
   /// No label was left between two blocks: all need new ones, and nothing else is told.
   bool relabelled = false;
 };

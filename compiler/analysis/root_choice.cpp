@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/root_arguments.h"
+
 namespace texbrdf {
 namespace {
 
@@ -49,12 +51,14 @@ class RootSearch {
 
   /// A function of two vectors, or of what has a meaning outside of it.
   bool has_shape(const Candidate& candidate) const {
-    const auto has_meaning = [&](const CheckedParameter& parameter) {
-      return parameter.name.valid() &&
-             (state_.names->traits(parameter.name).meaning() || state_.in_force(parameter.name));
-    };
-    return has_brdf_parameters(candidate.checked->signature) ||
-           std::ranges::all_of(candidate.checked->parameters, has_meaning);
+    const CheckedDefinition& checked = *candidate.checked;
+    if (has_brdf_parameters(checked.signature)) return true;
+    for (uint32_t i = 0; i < checked.parameters.size(); ++i) {
+      const NameId name = checked.parameters[i].name;
+      const bool needs_none = !name.valid() || may_be_anything(checked.signature, i);
+      if (!needs_none && !state_.names->traits(name).meaning() && !state_.in_force(name)) return false;
+    }
+    return true;
   }
 
   std::vector<Candidate> candidates() const {
@@ -71,13 +75,18 @@ class RootSearch {
     for (uint32_t i = 0; i < block.definitions.size(); ++i) {
       const NameId name = block.analysed->defined(i);
       const PlacedDefinition& definition = block.definitions[i];
-      if (!definition.in_force || !state_.names->traits(name).may_be_brdf) continue;
-      found.push_back({name, &definition.record->checked, block.analysed->mentions_of(i)});
+      const CheckedDefinition& checked = definition.record->checked;
+      if (!definition.in_force || !is_root_candidate(state_.names->traits(name), checked)) continue;
+      found.push_back({name, &checked, block.analysed->mentions_of(i)});
     }
   }
 
   std::optional<NameId> best_candidate() const {
     std::vector<Candidate> all = candidates();
+    const auto may_be_albedo = [&](const Candidate& candidate) {
+      return state_.names->traits(candidate.name).may_be_brdf_or_albedo;
+    };
+    if (!std::ranges::all_of(all, may_be_albedo)) std::erase_if(all, may_be_albedo);
     const auto is_shaped = [&](const Candidate& candidate) { return has_shape(candidate); };
     if (std::ranges::any_of(all, is_shaped)) std::erase_if(all, std::not_fn(is_shaped));
     const auto is_constant = [&](const Candidate& candidate) { return !is_directional(candidate); };
@@ -115,6 +124,11 @@ class RootSearch {
 
 void choose_root(EngineState& state) {
   state.root = RootSearch(state).run();
+}
+
+bool is_root_candidate(const NameTraits& traits, const CheckedDefinition& checked) {
+  const bool has_directions = checked.signature.parameters.size() >= 2 && !checked.signature.has_implied_parameters;
+  return traits.may_be_brdf || (traits.may_be_brdf_or_albedo && has_directions);
 }
 
 }  // namespace texbrdf

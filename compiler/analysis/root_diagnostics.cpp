@@ -67,8 +67,43 @@ class RootDiagnostics {
     const LocatedDefinition definition = state_.locate(*key_);
     const Signature& signature = definition.checked().signature;
     if (!definition.checked().sound || is_brdf(signature)) return;
-    if (root_arguments(state_, definition.checked())) return;
+    if (root_arguments(state_, definition)) return;
+    if (signature.has_implied_parameters) return report_implied(definition);
     all_.push_back(make_diagnostic(Code::RootShape, definition.name_place(), {root_, signature_text(signature)}));
+  }
+
+  // Nobody says what the names mean that the root leaves to those that mention it.
+  void report_implied(const LocatedDefinition& root) {
+    for (const CheckedParameter& parameter : root.checked().parameters) {
+      if (state_.names->traits(parameter.name).meaning() || state_.find(parameter.name)) continue;
+      report_undefined(root, parameter);
+    }
+  }
+
+  // Where the name itself stands, which may be in what the root is made of.
+  void report_undefined(LocatedDefinition user, const CheckedParameter& missing) {
+    const NameId name = missing.name;
+    NodeId node = missing.node;
+    while (const std::optional<LocatedDefinition> used = definition_at(user, node)) {
+      if (used->name() == name) break;
+      const std::vector<CheckedParameter>& parameters = used->checked().parameters;
+      const auto found = std::ranges::find(parameters, name, &CheckedParameter::name);
+      if (found == parameters.end()) break;
+      user = *used;
+      node = found->node;
+    }
+    const Location where{.file = {}, .block = user.at.id, .span = user.at.parsed().span(node)};
+    const std::string shown = shown_name(state_.names->text(name));
+    const std::string definition = shown_name(state_.names->text(user.name()));
+    all_.push_back(make_diagnostic(Code::UndefinedName, where, {shown, definition, ""}));
+  }
+
+  /// The definition that a Name node mentions.
+  std::optional<LocatedDefinition> definition_at(const LocatedDefinition& user, NodeId node) const {
+    const Referent& referent = user.checked().referents[node.value - user.syntax().first_node];
+    if (referent.kind != Referent::Kind::Definition) return std::nullopt;
+    const std::optional<DefinitionKey> key = state_.find(NameId{referent.index});
+    return key ? std::optional(state_.locate(*key)) : std::nullopt;
   }
 
   // A document without blocks is none of ours, and a block whose left side could not be read may have been the root.

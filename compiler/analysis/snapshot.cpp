@@ -1,8 +1,12 @@
 #include "analysis/snapshot.h"
 
 #include <algorithm>
+#include <unordered_set>
 
+#include "analysis/control_word_places.h"
 #include "analysis/equation_text.h"
+#include "analysis/macro_places.h"
+#include "analysis/needed_names.h"
 #include "analysis/snapshot_state.h"
 #include "source/internal_error.h"
 
@@ -25,6 +29,42 @@ Definition public_definition(const LocatedDefinition& at) {
           .in_force = placed.in_force,
           .is_used = placed.is_used,
           .checked = {placed.record, &placed.record->checked}};
+}
+
+constexpr uint32_t kLongestMacroName = 100;
+
+bool is_ascii_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+/// Of a use in an equation, or of a definition.
+std::optional<MacroUse> macro_that_is_read(const Snapshot::State& state, const MacroPlaces& places,
+                                           std::optional<BlockId> id, uint32_t offset) {
+  if (std::optional<MacroUse> defined = places.defined_at(offset)) return defined;
+  if (!id) return std::nullopt;
+  const LocatedBlock block = state.locate(*id);
+  const MacroExpansion* const expansion = block.block->expansion;
+  const MacroUse* use = expansion != nullptr ? expansion->use_at(offset - block.offset) : nullptr;
+  if (use == nullptr) return std::nullopt;
+  const auto absolute = [&](Span span) { return Span{block.offset + span.begin, block.offset + span.end}; };
+  return MacroUse{use->name, absolute(use->command), absolute(use->whole)};
+}
+
+/// `\x` around the offset, wherever it stands.
+std::optional<MacroUse> macro_that_is_written(const Snapshot& snapshot, const MacroPlaces& known, uint32_t offset) {
+  const SourceText& text = snapshot.text();
+  const uint32_t first = offset - std::min(offset, kLongestMacroName);
+  const std::string near = text.slice({first, std::min(text.size(), offset + kLongestMacroName)});
+  const size_t backslash = near.rfind('\\', offset - first);
+  if (backslash == std::string::npos) return std::nullopt;
+  size_t end = backslash + 1;
+  while (end < near.size() && is_ascii_letter(near[end])) ++end;
+  const Span span{first + static_cast<uint32_t>(backslash), first + static_cast<uint32_t>(end)};
+  const std::string name = near.substr(backslash + 1, end - backslash - 1);
+  if (!span.touches(offset) || !known.definition_of(name)) return std::nullopt;
+  const std::vector<Span> places = control_word_places(text.bytes(), snapshot.language(snapshot.file()), name);
+  if (!std::ranges::binary_search(places, span)) return std::nullopt;
+  return MacroUse{name, span, span};
 }
 
 }  // namespace
@@ -87,6 +127,10 @@ FileId Snapshot::file() const {
 uint32_t Snapshot::file_count() const {
   return state_->text.file_count();
 }
+TextLanguage Snapshot::language(FileId file) const {
+  return state_->text.language(file);
+}
+
 const SourceText& Snapshot::text(FileId file) const {
   return state_->text.file(file);
 }
@@ -168,8 +212,42 @@ Span Snapshot::absolute(const Location& location) const {
 }
 Span Snapshot::absolute(BlockId block, Span relative) const {
   if (block.value >= state_->segments.measure().blocks) return relative;
-  const uint32_t offset = state_->locate(block).offset;
-  return {offset + relative.begin, offset + relative.end};
+  const LocatedBlock at = state_->locate(block);
+  const Span source = at.parsed().in_source(relative);
+  return {at.offset + source.begin, at.offset + source.end};
+}
+
+std::optional<MacroOccurrence> Snapshot::macro_at(uint32_t offset) const {
+  if (state_->segments.measure().macros == 0) return std::nullopt;
+  const MacroPlaces places(*state_);
+  std::optional<MacroUse> found = macro_that_is_read(*state_, places, block_at(offset), offset);
+  if (!found) found = macro_that_is_written(*this, places, offset);
+  const std::optional<Location> name = found ? places.definition_of(found->name) : std::nullopt;
+  if (!name) return std::nullopt;
+  return MacroOccurrence{.name = found->name,
+                         .span = found->command,
+                         .whole = found->whole,
+                         .definition = places.whole_definition_of(found->name)->span,
+                         .definition_name = name->span};
+}
+
+std::vector<Span> Snapshot::places_of_macro(std::string_view name) const {
+  std::vector<Span> places;
+  for (uint32_t file = 0; file < file_count(); ++file) {
+    const std::string text = state_->text.file(FileId{file}).bytes();
+    const uint32_t first = state_->text.begin(FileId{file});
+    for (const Span place : control_word_places(text, language(FileId{file}), name)) {
+      const uint32_t begin = state_->view.offset(first + place.begin);
+      places.push_back({begin, begin + place.size()});
+    }
+  }
+  std::ranges::sort(places);
+  return places;
+}
+
+std::vector<DocumentMacro> Snapshot::macros() const {
+  if (state_->segments.measure().macros == 0) return {};
+  return MacroPlaces(*state_).all();
 }
 
 std::string Snapshot::root_name() const {
@@ -195,6 +273,10 @@ bool Snapshot::is_ours() const {
   return state_->root.has_directives || !state_->root.name.empty();
 }
 
+bool Snapshot::holds_integrals() const {
+  return state_->segments.measure().integrals > 0;
+}
+
 const std::vector<Diagnostic>& Snapshot::diagnostics() const {
   std::call_once(state_->diagnostics_once, [&] { state_->diagnostics = diagnostics({}); });
   return state_->diagnostics;
@@ -218,6 +300,64 @@ std::optional<DefinitionId> Snapshot::find(NameId name) const {
   const std::optional<DefinitionKey> key = state_->find(name);
   if (!key) return std::nullopt;
   return state_->locate(*key).id();
+}
+
+std::vector<RestatedDefinition> Snapshot::restatements(size_t most) const {
+  std::vector<RestatedDefinition> found;
+  const auto take = [&](const LocatedBlock& block) {
+    if (allows(Code::RestatementDiffers, block.id)) return;
+    for (const Restatement& restatement : block.parsed().restatements) {
+      const LocatedDefinition definition{block, restatement.definition};
+      if (!definition.placed().in_force || found.size() >= most) continue;
+      found.push_back({definition.id(), restatement.body});
+    }
+  };
+  state_->segments.visit_where([](const Segment::Measure& sum) { return sum.restatements > 0; },
+                               [&](const Segment& segment, const Segment::Measure& before) {
+                                 take(state_->located(segment, before));
+                                 return found.size() < most;
+                               });
+  return found;
+}
+
+bool Snapshot::allows(Code code, BlockId block) const {
+  const std::string name = code_name(code);
+  const auto holds = [&](std::span<const Directive> directives) {
+    return std::ranges::any_of(directives, [&](const Directive& directive) {
+      return directive.kind == Directive::Kind::Allow && directive.argument == name;
+    });
+  };
+  bool is_allowed = holds(state_->locate(block).block->analysed->directives);
+  state_->segments.visit_where([](const Segment::Measure& sum) { return sum.directives > 0; },
+                               [&](const Segment& segment, const Segment::Measure&) {
+                                 is_allowed = is_allowed || (!segment.block && holds(directives_of(segment)));
+                                 return !is_allowed;
+                               });
+  return is_allowed;
+}
+
+std::vector<NameId> Snapshot::needs_of(std::span<const NameId> names) const {
+  std::vector<NameId> found;
+  std::unordered_set<uint32_t> is_found;
+  const auto add = [&](std::span<const NameId> some) {
+    for (const NameId name : some) {
+      if (is_found.insert(name.value).second) found.push_back(name);
+    }
+  };
+  const auto at = [&](NameId name) -> std::optional<LocatedDefinition> {
+    const std::optional<DefinitionKey> key = state_->find(name);
+    return key ? std::optional(state_->locate(*key)) : std::nullopt;
+  };
+  for (const NameId name : names) {
+    add({&name, 1});
+    if (const auto definition = at(name)) add(argument_names(definition->checked()));
+  }
+  for (size_t i = 0; i < found.size(); ++i) {
+    if (const auto definition = at(found[i])) {
+      add(definition->at.block->analysed->mentions_of(definition->index_in_block));
+    }
+  }
+  return found;
 }
 
 std::string Snapshot::equation(DefinitionId id) const {

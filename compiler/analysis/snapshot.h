@@ -15,6 +15,7 @@
 #include "semantics/names.h"
 #include "source/result.h"
 #include "source/source_text.h"
+#include "source/text_language.h"
 #include "syntax/parsed_block.h"
 
 namespace texbrdf {
@@ -77,12 +78,42 @@ struct Occurrence {
   Referent referent;           ///< Parameter and Convention refer as in check.h; Definition: see `target`
   DefinitionId target;         ///< for a definition's name or a reference to one
   bool is_definition = false;  ///< it stands on the left side (the defined name, or a parameter's declaration)
+  bool is_made = false;        ///< a macro made it: `span` is that of its use
 };
 
 /// NAME of a comment `% texbrdf: root = NAME`.
 struct RootDirective {
   std::string name;  ///< canonical
   Span span;         ///< absolute
+};
+
+/// What a definition in force says of its name once more: `c` of `a = b = c`.
+struct RestatedDefinition {
+  DefinitionId definition;
+  NodeId body;
+};
+
+/// It as if it were the definition.
+struct CheckedRestatement {
+  DefinitionSyntax syntax;
+  CheckedDefinition checked;
+  std::vector<NameId> asked;  ///< the names whose signatures were looked at
+};
+
+/// What a macro of the document stands for, wherever it is used.
+struct DocumentMacro {
+  std::string name;         ///< without the backslash
+  uint32_t parameters = 0;  ///< those that have to be written
+  std::string body;
+};
+
+/// A macro at a place of the document. Spans are absolute.
+struct MacroOccurrence {
+  std::string name;  ///< without the backslash
+  Span span;         ///< of `\x`
+  Span whole;        ///< with its arguments
+  Span definition;   ///< the one that is in force
+  Span definition_name;
 };
 
 class Snapshot;
@@ -133,6 +164,7 @@ class Snapshot {
   FileId file() const;
   uint32_t file_count() const;
   const SourceText& text(FileId file) const;
+  TextLanguage language(FileId file) const;
   FilePlace place(Span span) const;
   bool is_in_file(Span span) const { return span.end <= text().size(); }
   Block block(BlockId id) const;
@@ -161,6 +193,8 @@ class Snapshot {
   std::vector<RootDirective> root_directives() const;
   /// False where nothing in the document looks like a BRDF and no comment `% texbrdf:` stands in it.
   bool is_ours() const;
+  /// Some definition is made of an integral: values may be inexact.
+  bool holds_integrals() const;
 
   /// In document order; what depends on the whole document (nearest names, redefinitions, cycles, the root) is added
   /// here. Errors and warnings about definitions that the root does not need are hints. Formed once.
@@ -175,17 +209,33 @@ class Snapshot {
   /// The name whose spelling contains or touches the offset; the innermost one (\omega_i inside \vec{\omega_i} is not
   /// a name of its own).
   std::optional<Occurrence> occurrence_at(uint32_t offset) const;
+  /// All that the document defines, by name.
+  std::vector<DocumentMacro> macros() const;
+  /// The macro whose name touches the offset, where it is used or defined.
+  std::optional<MacroOccurrence> macro_at(uint32_t offset) const;
+  /// Where a macro stands, in document order: in equations, prose, the bodies of other macros, and where it is defined.
+  std::vector<Span> places_of_macro(std::string_view name) const;
   /// All occurrences of the same thing, in document order, with its declaration.
   std::vector<Occurrence> occurrences_of(const Occurrence& occurrence) const;
 
   /// The value of a plain definition that depends on no direction; nothing where it has none, or where it needs more
   /// than 200 other names.
   std::optional<std::vector<double>> constant_value(DefinitionId id) const;
+  /// In document order, at most so many; none of which nothing is to be told.
+  std::vector<RestatedDefinition> restatements(size_t most) const;
+  CheckedRestatement check_restatement(const RestatedDefinition& restated) const;
+  /// A comment `% texbrdf: allow CODE` says that nothing of the code is told there.
+  bool allows(Code code, BlockId block) const;
+  /// All names that the definitions in force of these need, themselves included; each once. A function is taken as the
+  /// BRDF, which needs what its parameters are called.
+  std::vector<NameId> needs_of(std::span<const NameId> names) const;
   /// The equation's source on one line, white space folded.
   std::string equation(DefinitionId id) const;
 
   /// What the linker needs of a definition; nullptr where it is not sound.
-  const ir::LinkableDefinition* linkable(NameId name) const;
+  const ir::LinkableDefinition* linkable(NameId name) const { return linkable(Instance{name, {}}); }
+  /// Precondition: a sound definition calls the instance, or it has no parameters.
+  const ir::LinkableDefinition* linkable(const Instance& instance) const;
   /// Everything that a root needs, or why it cannot be had, in one line for a person. Empty `root`: root_name().
   Result<ir::Program> program(std::string_view root = {}, const ir::LinkOptions& options = {}) const;
 

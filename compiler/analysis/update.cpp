@@ -9,7 +9,7 @@
 #include "analysis/directional_names.h"
 #include "analysis/needed_names.h"
 #include "analysis/root_choice.h"
-#include "analysis/settle_factors.h"
+#include "analysis/settle_readings.h"
 #include "source/shared_pool.h"
 
 namespace texbrdf {
@@ -26,7 +26,8 @@ class Update {
   UpdateResult run() {
     const std::vector<BlockChange> changes = read_changed_blocks(state_, touched_, blocks_, result_.counters);
     names_ = update_names(state_, changes, is_all_new_);
-    settle_factors(state_, blocks_, names_, result_.counters);
+    settle_readings(state_, blocks_, names_, result_.counters);
+    if (is_all_new_) list_mentioned();
     note_mentions();
     OrderChange order = order_definitions(state_, blocks_, names_.reordered);
     std::vector<NameId> rearranged = names_.reordered;
@@ -50,6 +51,13 @@ class Update {
   }
 
  private:
+  void list_mentioned() {
+    is_mentioned_.resize(state_.names->size());
+    for (const WorkingBlock& block : blocks_.all()) {
+      for (NameId name : block.analysed->mentions) is_mentioned_[name.value] = true;
+    }
+  }
+
   void note_mentions() {
     for (NameId name : names_.reordered) {
       std::vector<NameId>& mentions = state_.name_states[name.value].mentions;
@@ -99,7 +107,7 @@ class Update {
   }
 
   bool is_used(NameId name) const {
-    return state_.lists_users ? !state_.occurrences[name.value].users.empty() : names_.is_mentioned[name.value];
+    return state_.lists_users ? !state_.occurrences[name.value].users.empty() : is_mentioned_[name.value];
   }
 
   // Of the definitions that did not change only the first can have come into force or out of it.
@@ -124,12 +132,21 @@ class Update {
     for (uint32_t i = 0; i < block.definitions.size(); ++i) {
       const PlacedDefinition& definition = block.definitions[i];
       if (definition.in_force && !definition.is_used) ++placed.unused;
-      if (definition.in_force && state_.names->traits(block.analysed->defined(i)).may_be_brdf) ++placed.candidates;
+      const NameTraits& traits = state_.names->traits(block.analysed->defined(i));
+      if (definition.in_force && is_root_candidate(traits, definition.record->checked)) ++placed.candidates;
     }
     placed.directives = static_cast<uint32_t>(block.analysed->directives.size());
+    placed.expansion = block.analysed->parsed.expansion.get();
+    placed.integrals = count_integrals(*block.analysed);
     placed.analysed = std::move(block.analysed);
     placed.definitions = std::move(block.definitions);
     return placed_.make(std::move(placed));
+  }
+
+  static uint32_t count_integrals(const AnalysedBlock& block) {
+    return static_cast<uint32_t>(std::ranges::count_if(block.names.binders, [&](const Binder& binder) {
+      return block.parsed.tree.node(binder.node).kind == NodeKind::Integral;
+    }));
   }
 
   uint32_t count_reports(const WorkingBlock& block) const {
@@ -221,6 +238,7 @@ class Update {
   const bool listed_users_ = state_.lists_users;  // before
   WorkingBlocks blocks_;
   ChangedNames names_;
+  std::vector<bool> is_mentioned_;  // by NameId, where all blocks are new
   SharedPool<PlacedBlock> placed_{1};
   UpdateResult result_;
 };

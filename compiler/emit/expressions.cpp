@@ -87,6 +87,10 @@ ExpressionId ExpressionWriter::write(ValueId id, std::span<const ExpressionId> w
     case Op::Call:
     case Op::Sum:
     case Op::Product:
+    case Op::Integral:
+    case Op::Derivative:
+    case Op::MakeMatrix:
+    case Op::Entry:
       break;
   }
   throw InternalError("a value that is no expression of its own");

@@ -4,15 +4,10 @@
 #include <charconv>
 #include <utility>
 
+#include "source/characters.h"
+
 namespace texbrdf::emit {
 namespace {
-
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 constexpr auto kSpokenCharacters = std::to_array<std::pair<char, std::string_view>>({
     {'+', "plus"},
@@ -128,6 +123,8 @@ std::string identifier(const Name& name) {
   }
   for (const std::string& subscript : name.subscripts) spell(subscript, words);
   for (uint32_t i = 0; i < name.primes && i < 3; ++i) words.whole("prime");
+  if (!name.label.empty()) spell(name.label, words);
+  if (name.is_in_angles) words.whole("mean");
   std::string text = words.take();
   if (text.empty() || is_digit(text.front())) text.insert(0, "v");
   if (text.starts_with("gl_")) text.insert(0, "v_");

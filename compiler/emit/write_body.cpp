@@ -185,8 +185,13 @@ class BodyWriter {
     loop.body.push_back(declaration("float", variable, position));
   }
 
+  /// The entries of a matrix share an equation, which is told above the first.
   void comment(const Equation& equation) {
     if (equation.text.empty()) return;
+    const bool is_told = equation.name.valid() && equation.name == told_;
+    told_ = equation.name;
+    if (is_told && statements_.back().kind == Statement::Kind::Blank) statements_.pop_back();
+    if (is_told) return;
     blank();
     statements_.push_back(statement(Statement::Kind::Comment));
     statements_.back().source = equation.name;
@@ -206,6 +211,7 @@ class BodyWriter {
   std::vector<bool> declared_;
   std::vector<uint32_t> users_;  ///< by value, of locals: the item that needs it
   std::vector<Statement> statements_;
+  NameId told_;  ///< whose equation is the last comment
 };
 
 }  // namespace

@@ -225,6 +225,10 @@ class Walk {
       case Op::Call:
       case Op::Sum:
       case Op::Product:
+      case Op::Integral:
+      case Op::Derivative:
+      case Op::MakeMatrix:
+      case Op::Entry:
         break;
     }
     throw InternalError("an op that flattening or the schedule should have taken away");

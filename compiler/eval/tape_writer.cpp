@@ -348,6 +348,10 @@ class TapeWriter {
       case Op::Call:
       case Op::Sum:
       case Op::Product:
+      case Op::Integral:
+      case Op::Derivative:
+      case Op::MakeMatrix:
+      case Op::Entry:
         break;
     }
     throw InternalError("an op that flattening or the schedule should have taken away");

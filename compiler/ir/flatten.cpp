@@ -164,7 +164,7 @@ class Flattener {
     return known;
   }
 
-  static bool is_binding(Op op) { return op == Op::BoundVariable || op == Op::Sum || op == Op::Product; }
+  static bool is_binding(Op op) { return op == Op::BoundVariable || binds(op); }
 
   /// Each instance has binders of its own. False where the graph has no more.
   bool has_binder(Frame& frame, uint32_t binder) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "source/internal_error.h"
 
@@ -15,6 +16,13 @@ ValueId Graph::convention(Convention id, std::span<const ValueId> operands) {
   const ConventionEntry& entry = convention_entry(id);
   require(operands.empty() || operands.size() == entry.operands.size(), "convention with a wrong number of operands");
   return append({.op = Op::Convention, .type = entry.type, .index = static_cast<uint32_t>(id)}, operands);
+}
+
+/// At most three levels deep: \theta_h is made of \vec{h}, which is made of the two directions.
+ValueId Graph::whole_convention(Convention id) {
+  std::vector<ValueId> operands;
+  for (const Convention operand : convention_entry(id).operands) operands.push_back(whole_convention(operand));
+  return convention(id, operands);
 }
 
 ValueId Graph::add(Op op, std::initializer_list<ValueId> operands, uint32_t index) {
@@ -43,6 +51,16 @@ uint32_t Graph::new_binder() {
   return binder_count_++;
 }
 
+ValueId add_spread(Graph& graph, ValueId id, Type type) {
+  if (graph.at(id).type != Type::Real || type == Type::Real) return id;
+  if (is_aggregate(type)) return graph.leaf(Op::MakeMatrix, type, 0, std::vector(type_components(type), id));
+  return is_triple(type) ? graph.add(Op::MakeVector, {id, id, id}) : id;
+}
+
+ValueId add_constant(Graph& graph, double number, Type type) {
+  return add_spread(graph, graph.constant(number), type);
+}
+
 namespace {
 
 BinderSet binder_bit(uint32_t binder) {
@@ -59,7 +77,7 @@ ValueId Graph::append(Value value, std::span<const ValueId> operands) {
   for (const ValueId operand : operands) {
     if (operand.value < values_.size()) value.binders |= at(operand).binders;
   }
-  const bool reduces = value.op == Op::Sum || value.op == Op::Product;
+  const bool reduces = binds(value.op);
   if (reduces) value.binders &= ~binder_bit(value.index);
   if (value.op == Op::BoundVariable) value.binders = binder_bit(value.index);
   if (reduces || value.op == Op::BoundVariable) binder_count_ = std::max(binder_count_, value.index + 1);

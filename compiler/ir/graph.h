@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "semantics/conventions.h"
+#include "semantics/instance.h"
 #include "semantics/types.h"
 
 namespace texbrdf::ir {
@@ -41,6 +42,9 @@ struct ValueId {
 using BinderSet = uint64_t;
 inline constexpr uint32_t kMaxBinders = 64;
 
+/// From here on the index of a Call is a position in Graph::instances, until the graph is linked.
+inline constexpr uint32_t kFirstInstance = uint32_t{1} << 31;
+
 struct Value {
   Op op;
   Type type;
@@ -67,14 +71,18 @@ class Graph {
 
   /// What the graph is for; kept by every pass, in order. A definition has one.
   std::vector<ValueId> roots;
+  /// What calls of functions with other types than they take by themselves are of; none once the graph is linked.
+  std::vector<Instance> instances;
 
   ValueId constant(double number);
   ValueId convention(Convention id, std::span<const ValueId> operands = {});
+  /// With what it is made of.
+  ValueId whole_convention(Convention id);
   /// Any op with an Index payload or none. The type follows from the operands where the op says so, see `result_type`;
-  /// for Reference, Formal, Call, Parameter and BoundVariable pass it to `leaf`.
+  /// for Reference, Formal, Call, Parameter, BoundVariable and MakeMatrix pass it to `leaf`.
   ValueId add(Op op, std::initializer_list<ValueId> operands, uint32_t index = 0);
   ValueId add(Op op, std::span<const ValueId> operands, uint32_t index = 0);
-  /// Reference, Formal, Call, Parameter, BoundVariable: their type comes from elsewhere.
+  /// Reference, Formal, Call, Parameter, BoundVariable, MakeMatrix: their type comes from elsewhere.
   ValueId leaf(Op op, Type type, uint32_t index, std::span<const ValueId> operands = {});
   /// A copy of a value of any graph with operands of this graph.
   ValueId copy(const Value& value, std::span<const ValueId> operands);
@@ -88,6 +96,16 @@ class Graph {
   std::vector<ValueId> operands_;
   uint32_t binder_count_ = 0;
 };
+
+/// The real as a value of the type: alike in all components. What has components stays what it is.
+ValueId add_spread(Graph& graph, ValueId id, Type type);
+/// The number as a value of the type, alike in all components.
+ValueId add_constant(Graph& graph, double number, Type type);
+
+/// Has a binder of its own, which its last operand may use.
+constexpr bool binds(Op op) {
+  return op == Op::Sum || op == Op::Product || op == Op::Integral || op == Op::Derivative;
+}
 
 /// The type of `op` applied to operands of these types, Type::Error where it does not fit.
 Type result_type(Op op, std::span<const Type> operands);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "ir/differentiate.h"
+#include "ir/link_entries.h"
 #include "ir/program.h"
 
 namespace texbrdf::ir {
@@ -21,12 +23,16 @@ struct Linked {
 /// Walks depth first from the root, each definition's uses in order of first mention, on a stack of its own.
 class Linker {
  public:
-  Linker(const DefinitionLookup& lookup, NameId root) : lookup_(lookup), root_(root) {}
+  Linker(const DefinitionLookup& lookup, NameId root, Fineness fineness)
+      : lookup_(lookup), root_(root), fineness_(fineness) {}
 
   Result<Program> run() {
-    const LinkableDefinition* root = lookup_(root_);
+    const LinkableDefinition* root = lookup_({root_, {}});
     if (root == nullptr) return Failure{"the definition that is asked for is missing or has errors"};
-    open(*root);
+    if (const Type type = root->signature.result; is_aggregate(type)) {
+      return Failure{fmt::format("`{}` is {}, which is no value of a program", root->canonical, type_symbol(type))};
+    }
+    open({root_, {}}, *root);
     while (!stack_.empty()) {
       if (auto failure = step()) return *std::move(failure);
     }
@@ -35,15 +41,29 @@ class Linker {
 
  private:
   struct Frame {
+    Instance instance;
     const LinkableDefinition* definition;
     uint32_t next_value = 0;
   };
 
   static bool is_use(const Value& value) { return value.op == Op::Reference || value.op == Op::Call; }
 
-  void open(const LinkableDefinition& definition) {
-    linked_[definition.id.value] = {};
-    stack_.push_back({&definition});
+  Linked& linked(const Instance& instance) {
+    return instance.parameters.empty() ? linked_[instance.function.value] : linked_instances_[instance];
+  }
+
+  const Linked* find_linked(const Instance& instance) const {
+    if (instance.parameters.empty()) {
+      const auto found = linked_.find(instance.function.value);
+      return found == linked_.end() ? nullptr : &found->second;
+    }
+    const auto found = linked_instances_.find(instance);
+    return found == linked_instances_.end() ? nullptr : &found->second;
+  }
+
+  void open(const Instance& instance, const LinkableDefinition& definition) {
+    linked(instance) = {};
+    stack_.push_back({instance, &definition});
   }
 
   /// Goes on with the innermost open definition up to its next use that is not linked yet, or closes it.
@@ -53,27 +73,27 @@ class Linker {
     while (frame.next_value < values.size()) {
       const Value& value = values[frame.next_value++];
       if (!is_use(value)) continue;
-      const auto known = linked_.find(value.index);
-      if (known == linked_.end()) return enter(value.index, *frame.definition);
-      if (known->second.state == Linked::State::Open) {
+      const Instance instance = used(frame.definition->graph, value);
+      const Linked* const known = find_linked(instance);
+      if (known == nullptr) return enter(instance, *frame.definition);
+      if (known->state == Linked::State::Open) {
         return Failure{fmt::format("`{}` is defined by itself", frame.definition->canonical)};
       }
     }
-    const LinkableDefinition& done = *frame.definition;
+    const Frame done = std::move(frame);
     stack_.pop_back();
-    close(done);
-    return std::nullopt;
+    return close(done.instance, *done.definition);
   }
 
-  std::optional<Failure> enter(uint32_t name, const LinkableDefinition& user) {
-    const LinkableDefinition* definition = lookup_(NameId{name});
+  std::optional<Failure> enter(const Instance& instance, const LinkableDefinition& user) {
+    const LinkableDefinition* definition = lookup_(instance);
     if (definition == nullptr) {
       return Failure{fmt::format("`{}` uses a name whose definition is missing or has errors", user.canonical)};
     }
     if (definition->literal && !definition->signature.is_function) {
       add_parameter(*definition);
     } else {
-      open(*definition);
+      open(instance, *definition);
     }
     return std::nullopt;
   }
@@ -91,36 +111,44 @@ class Linker {
                                    .equation = definition.equation});
   }
 
-  void close(const LinkableDefinition& definition) {
-    linked_[definition.id.value] = {Linked::State::Definition, static_cast<uint32_t>(program_.definitions.size())};
-    program_.definitions.push_back({.id = definition.id,
-                                    .name = definition.name,
-                                    .canonical = definition.canonical,
-                                    .signature = definition.signature,
-                                    .formals = definition.formals,
-                                    .graph = with_linked_uses(definition.graph),
-                                    .equation = definition.equation});
+  std::optional<Failure> close(const Instance& instance, const LinkableDefinition& definition) {
+    const auto first = static_cast<uint32_t>(program_.definitions.size());
+    const std::vector<Graph> entries = link_entries(definition.graph, [this](const Instance& used) {
+      const Linked& target = *find_linked(used);
+      return LinkTarget{target.state == Linked::State::Parameter ? Op::Parameter : Op::Reference, target.index};
+    });
+    for (uint32_t i = 0; i < entries.size(); ++i) {
+      if (auto failure = add_definition(definition, entries[i], i)) return failure;
+    }
+    linked(instance) = {Linked::State::Definition, first};
+    return std::nullopt;
   }
 
-  Graph with_linked_uses(const Graph& graph) const {
-    Graph result;
-    for (uint32_t i = 0; i < graph.size(); ++i) {
-      Value value = graph.at({i});
-      if (is_use(value)) {
-        const Linked& target = linked_.at(value.index);
-        if (target.state == Linked::State::Parameter) value.op = Op::Parameter;
-        value.index = target.index;
-      }
-      result.copy(value, graph.operands({i}));
+  /// The entry of a definition of an aggregate type, or the whole of another.
+  std::optional<Failure> add_definition(const LinkableDefinition& definition, const Graph& linked, uint32_t entry) {
+    std::optional<Graph> graph = expand_integrals(linked, fineness_);
+    if (graph) graph = expand_derivatives(*graph, program_.definitions);
+    if (!graph) {
+      return Failure{fmt::format("`{}` becomes too large when its integrals and derivatives are written out",
+                                 definition.canonical)};
     }
-    result.roots = graph.roots;
-    return result;
+    ProgramDefinition made = program_definition(definition);
+    made.graph = *std::move(graph);
+    if (const Type type = made.signature.result; is_aggregate(type)) {
+      made.name = entry_name(definition.name, type_shape(type), entry);
+      made.canonical = canonical_form(made.name);
+      made.signature.result = Type::Real;
+    }
+    program_.definitions.push_back(std::move(made));
+    return std::nullopt;
   }
 
   const DefinitionLookup& lookup_;
   NameId root_;
+  const Fineness fineness_;
   Program program_;
-  std::unordered_map<uint32_t, Linked> linked_;
+  std::unordered_map<uint32_t, Linked> linked_;  // by NameId
+  std::map<Instance, Linked> linked_instances_;
   std::vector<Frame> stack_;
 };
 
@@ -155,7 +183,7 @@ std::optional<Failure> set_parameter(Program& program, const std::string& name, 
 }  // namespace
 
 Result<Program> link(const DefinitionLookup& lookup, NameId root, const LinkOptions& options) {
-  Result<Program> program = Linker(lookup, root).run();
+  Result<Program> program = Linker(lookup, root, options.fineness).run();
   if (!program) return program;
   for (const auto& [name, numbers] : options.values) {
     if (auto failure = set_parameter(*program, name, numbers)) return *std::move(failure);

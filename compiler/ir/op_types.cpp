@@ -60,7 +60,10 @@ Type result_type(Op op, std::span<const Type> operands) {
     case Op::Formal:
     case Op::BoundVariable:
     case Op::Call:
+    case Op::MakeMatrix:
       return Type::Error;
+    case Op::Entry:
+      return only(is_aggregate(operands[0]), Type::Real);
     case Op::MakeVector:
       return only(all_are(operands, Type::Real), Type::Vector);
     case Op::Component:
@@ -70,6 +73,10 @@ Type result_type(Op op, std::span<const Type> operands) {
     case Op::Sum:
     case Op::Product:
       return only(all_are(operands.first(2), Type::Real) && is_numeric(operands[2]), operands[2]);
+    case Op::Integral:
+      return only(is_numeric(operands[0]), operands[0]);
+    case Op::Derivative:
+      return only(operands[0] == Type::Real && is_numeric(operands[1]), operands[1]);
     case Op::Less:
     case Op::LessEqual:
     case Op::Equal:

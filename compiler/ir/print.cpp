@@ -13,7 +13,7 @@ std::string index_text(const Value& value) {
   const Op op = value.op;
   if (op == Op::Convention) return std::string(convention_entry(static_cast<Convention>(value.index)).symbol);
   if (op == Op::Reference || op == Op::Call) return fmt::format("@{}", value.index);
-  if (op == Op::BoundVariable || op == Op::Sum || op == Op::Product) return fmt::format("k{}", value.index);
+  if (op == Op::BoundVariable || binds(op)) return fmt::format("k{}", value.index);
   return fmt::format("{}", value.index);
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ir/graph.h"
+#include "ir/quadrature.h"
 #include "semantics/check.h"
 #include "semantics/names.h"
 #include "semantics/parameter.h"
@@ -27,8 +28,8 @@ struct LinkableDefinition {
   std::string equation;  ///< the source of the equation on one line, white space folded
 };
 
-/// Where the linker finds definitions; nullptr for a name that has no sound one.
-using DefinitionLookup = std::function<const LinkableDefinition*(NameId)>;
+/// Where the linker finds definitions; nullptr for one that is not sound.
+using DefinitionLookup = std::function<const LinkableDefinition*(const Instance&)>;
 
 /// A number or colour that can be changed without compiling again.
 struct Parameter {
@@ -42,8 +43,9 @@ struct Parameter {
   std::string equation;
 };
 
+/// A definition of an aggregate type becomes one for each entry.
 struct ProgramDefinition {
-  NameId id;
+  NameId id;  ///< several have it where a function is called with several types
   Name name;
   std::string canonical;
   Signature signature;
@@ -64,7 +66,8 @@ struct Program {
 struct LinkOptions {
   /// Values from outside, by canonical name; a real gives one number, a colour three. Unknown names, names that are no
   /// parameter and wrong counts are failures that name the parameters there are.
-  std::map<std::string, std::vector<double>> values;
+  std::map<std::string, std::vector<double>> values = {};
+  Fineness fineness = Fineness::Full;  ///< of integrals
 };
 
 /// Joins what `root` needs. Fails with a reason for a person (a definition in error, a bad --set). Iterative.

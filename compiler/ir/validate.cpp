@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "source/internal_error.h"
 
 namespace texbrdf::ir {
@@ -15,12 +17,8 @@ bool compatible(Type a, Type b) {
   return a == b || (is_triple(a) && is_triple(b));
 }
 
-bool is_reduction(Op op) {
-  return op == Op::Sum || op == Op::Product;
-}
-
 bool has_outside_type(Op op) {
-  return op == Op::Parameter || op == Op::Reference || op == Op::Formal || op == Op::Call;
+  return op == Op::Parameter || op == Op::Reference || op == Op::Formal || op == Op::Call || op == Op::MakeMatrix;
 }
 
 class GraphValidator {
@@ -61,8 +59,8 @@ class GraphValidator {
     if (payload != Payload::Constant && value.constant != 0) return "a constant that its op does not have";
     if (value.op == Op::Component && value.index > 2) return "a component beyond the third";
     if (value.op == Op::Convention && value.index >= conventions().size()) return "a convention that does not exist";
-    const bool binds = value.op == Op::BoundVariable || is_reduction(value.op);
-    if (binds && value.index >= kMaxBinders) return "a binder id out of range";
+    const bool has_binder = value.op == Op::BoundVariable || binds(value.op);
+    if (has_binder && value.index >= kMaxBinders) return "a binder id out of range";
     return std::nullopt;
   }
 
@@ -93,11 +91,12 @@ class GraphValidator {
 
   Fault binder_fault(ValueId id) {
     const Value& value = graph_.at(id);
-    if (!is_reduction(value.op)) return std::nullopt;
+    if (!binds(value.op)) return std::nullopt;
     const BinderSet bit = BinderSet{1} << value.index;
     if ((bound_ & bit) != 0) return "a binder of two reductions";
     bound_ |= bit;
-    const BinderSet range = graph_.at(graph_.operand(id, 0)).binders | graph_.at(graph_.operand(id, 1)).binders;
+    BinderSet range = 0;
+    for (uint32_t i = 0; i + 1 < value.operand_count; ++i) range |= graph_.at(graph_.operand(id, i)).binders;
     return expect((range & bit) == 0, "a range that depends on its own binder");
   }
 
@@ -140,6 +139,8 @@ class ProgramValidator {
     const ProgramDefinition& definition = program_.definitions[own];
     const Graph& graph = definition.graph;
     if (Fault fault = GraphValidator(graph).run()) return fault;
+    const auto is_matrix = [](const Value& value) { return is_aggregate(value.type); };
+    if (std::ranges::any_of(graph.values(), is_matrix)) return "a matrix after linking";
     if (graph.roots.size() != 1) return "a definition with several roots";
     if (!compatible(graph.at(graph.roots[0]).type, definition.signature.result)) return "a root of another type";
     if (definition.formals.size() != definition.signature.parameters.size()) return "formals that do not fit";
@@ -152,6 +153,7 @@ class ProgramValidator {
   const char* link_fault(uint32_t own, ValueId id) const {
     const ProgramDefinition& definition = program_.definitions[own];
     const Value& value = definition.graph.at(id);
+    if (value.op == Op::Integral || value.op == Op::Derivative) return "what linking expands";
     if (value.op == Op::Formal) {
       const auto& formals = definition.signature.parameters;
       return value.index < formals.size() && compatible(formals[value.index], value.type) ? nullptr : "no such formal";

@@ -8,33 +8,43 @@
 namespace texbrdf {
 namespace {
 
-/// By token: of a `(`, the commas between it and its `)`, outside of inner brackets.
-std::vector<uint32_t> count_commas(std::span<const Token> tokens) {
-  std::vector<uint32_t> commas(tokens.size());
+/// Of a bracket that opens.
+struct BracketContent {
+  uint32_t commas = 0;  ///< outside of inner brackets
+  uint32_t closer = 0;  ///< the token; 0 where there is none
+};
+
+/// By token.
+std::vector<BracketContent> read_brackets(std::span<const Token> tokens) {
+  std::vector<BracketContent> brackets(tokens.size());
   std::vector<uint32_t> open;
   for (uint32_t i = 0; i < tokens.size(); ++i) {
     if (is_opener(tokens[i].kind)) {
       open.push_back(i);
     } else if (is_closer(tokens[i].kind)) {
-      if (!open.empty()) open.pop_back();
+      if (open.empty()) continue;
+      brackets[open.back()].closer = i;
+      open.pop_back();
     } else if (tokens[i].kind == TokenKind::Comma && !open.empty()) {
-      ++commas[open.back()];
+      ++brackets[open.back()].commas;
     }
   }
-  return commas;
+  return brackets;
 }
 
 class FactorSearch {
  public:
-  FactorSearch(const ParsedBlock& block, const BlockNames& names, const NameTable& table,
-               const std::function<NameKind(NameId)>& kind_of)
-      : block_(block), names_(names), table_(table), kind_of_(kind_of) {}
+  FactorSearch(const ParsedBlock& block, const BlockNames& names, const NameTable& table, const KnownNames& known)
+      : block_(block), names_(names), table_(table), known_(known) {}
 
   std::vector<uint32_t> run() {
-    for (const DefinitionSyntax& definition : block_.definitions) {
-      for (uint32_t node = definition.left.value + 1; node < definition.body.value + 1; ++node) {
+    for (uint32_t i = 0; i < block_.definitions.size(); ++i) {
+      const DefinitionSyntax& definition = block_.definitions[i];
+      is_function_ = definition.left != definition.name;
+      hidden_ = hidden_names(block_, definition, names_);
+      for (uint32_t node = definition.left.value + 1; node <= block_.last_node(i).value; ++node) {
         const NameId name = names_.by_node[node];
-        if (name.valid()) read(definition, NodeId{node}, name);
+        if (name.valid()) read(NodeId{node}, name);
       }
     }
     std::ranges::sort(found_);
@@ -42,11 +52,26 @@ class FactorSearch {
   }
 
  private:
-  void read(const DefinitionSyntax& definition, NodeId node, NameId name) {
+  void read(NodeId node, NameId name) {
     const uint32_t bracket = block_.tree.node(node).end_token;
+    if (is_power_of_call(bracket, name)) return found_.push_back(bracket);
     if (block_.tokens[bracket].kind != TokenKind::OpenParen) return;
-    const bool is_factor = is_power_of_function(node) || (is_value(definition, name) && !is_list(bracket));
+    const bool is_factor = is_power_of_function(node) || (is_value_at(node, name) && !is_list(bracket));
     if (is_factor) found_.push_back(bracket);
+  }
+
+  /// The `^` of `a^2(x)` and `a^{n+1}(x)`, where `a` is a function. The inverse of one is no power.
+  bool is_power_of_call(uint32_t caret, NameId name) {
+    if (block_.tokens[caret].kind != TokenKind::Caret) return false;
+    uint32_t last = caret + 1;
+    if (block_.tokens[last].kind == TokenKind::OpenBrace) {
+      last = brackets()[last].closer;
+      if (last == 0 || block_.tokens[caret + 2].kind == TokenKind::Minus) return false;
+    } else if (block_.tokens[last].kind != TokenKind::Number) {
+      return false;
+    }
+    return block_.tokens[last + 1].kind == TokenKind::OpenParen && !hidden_.find(name) &&
+           known_.kind(name) == NameKind::Function;
   }
 
   /// `\cos^n(x)`: what follows belongs to the function.
@@ -65,50 +90,58 @@ class FactorSearch {
     return token;
   }
 
-  bool is_value(const DefinitionSyntax& definition, NameId name) const {
-    if (is_parameter(definition, name)) return true;
-    const NameKind kind = kind_of_(name);
-    if (kind != NameKind::Absent) return kind == NameKind::Value;
-    return table_.traits(name).meaning() || is_angle_of_parameter(definition, name);
+  /// A bound name is a value, and one with an index what those are that it stands for.
+  bool is_value_at(NodeId node, NameId name) const {
+    if (names_.bound_use(node) != nullptr) return true;
+    const StandIn* stand_in = names_.stand_in(node);
+    const bool stands_for_others = stand_in != nullptr && !stand_in->binders.empty() &&
+                                   known_.kind(name) == NameKind::Absent && !hidden_.find(name) &&
+                                   known_.kind(stand_in->names[0]) != NameKind::Absent;
+    return is_value(stands_for_others ? stand_in->names[0] : name);
   }
 
-  bool is_angle_of_parameter(const DefinitionSyntax& definition, NameId name) const {
-    if (definition.left == definition.name) return false;
+  bool is_value(NameId name) const {
+    if (hidden_.find(name)) return true;
+    const NameKind kind = known_.kind(name);
+    if (kind != NameKind::Absent) return kind == NameKind::Value;
+    return table_.traits(name).meaning() || is_angle_of_parameter(name);
+  }
+
+  bool is_angle_of_parameter(NameId name) const {
+    if (!is_function_) return false;
     const std::optional<ImpliedAngle> angle = implied_angle(table_.text(name));
     if (!angle) return false;
     if (angle->label.empty()) return true;
-    const std::span<const NodeId> parameters = block_.tree.children(definition.left).subspan(1);
-    return std::ranges::any_of(parameters, [&](NodeId node) {
-      const NameId parameter = names_.by_node[node.value];
-      return parameter.valid() && direction_label(table_.text(parameter)) == angle->label;
-    });
-  }
-
-  bool is_parameter(const DefinitionSyntax& definition, NameId name) const {
-    if (definition.left == definition.name) return false;
-    const std::span<const NodeId> parameters = block_.tree.children(definition.left).subspan(1);
-    return std::ranges::any_of(parameters, [&](NodeId node) { return names_.by_node[node.value] == name; });
+    return std::ranges::any_of(
+        hidden_.names(), [&](NameId parameter) { return direction_label(table_.text(parameter)) == angle->label; });
   }
 
   /// Several arguments, which are no tuple.
   bool is_list(uint32_t bracket) {
-    if (commas_.empty()) commas_ = count_commas(block_.tokens);
-    return commas_[bracket] != 0 && commas_[bracket] != 2;
+    const uint32_t commas = brackets()[bracket].commas;
+    return commas != 0 && commas != 2;
+  }
+
+  const std::vector<BracketContent>& brackets() {
+    if (brackets_.empty()) brackets_ = read_brackets(block_.tokens);
+    return brackets_;
   }
 
   const ParsedBlock& block_;
   const BlockNames& names_;
   const NameTable& table_;
-  const std::function<NameKind(NameId)>& kind_of_;
-  std::vector<uint32_t> commas_;  // by token, when it is first asked for
+  const KnownNames& known_;
+  bool is_function_ = false;              // the definition that is read
+  SmallNameMap hidden_;                   // by its parameters
+  std::vector<BracketContent> brackets_;  // by token, when it is first asked for
   std::vector<uint32_t> found_;
 };
 
 }  // namespace
 
 std::vector<uint32_t> find_factors(const ParsedBlock& block, const BlockNames& names, const NameTable& table,
-                                   const std::function<NameKind(NameId)>& kind_of) {
-  return FactorSearch(block, names, table, kind_of).run();
+                                   const KnownNames& known) {
+  return FactorSearch(block, names, table, known).run();
 }
 
 }  // namespace texbrdf

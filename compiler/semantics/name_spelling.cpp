@@ -3,16 +3,10 @@
 #include <algorithm>
 #include <vector>
 
+#include "source/characters.h"
+
 namespace texbrdf {
 namespace {
-
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
-bool is_space(char c) {
-  return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v';
-}
 
 bool is_control_word(std::string_view text) {
   return text.size() > 1 && text.front() == '\\' && std::all_of(text.begin() + 1, text.end(), is_letter);
@@ -23,7 +17,24 @@ bool is_one_symbol(std::string_view text) {
 }
 
 bool is_letter_or_digit(char c) {
-  return is_letter(c) || (c >= '0' && c <= '9');
+  return is_letter(c) || is_digit(c);
+}
+
+// `\_` as `_`, white space folded (in \text) or dropped (in \mathrm, where TeX ignores it).
+std::string unescape(std::string_view content, bool keep_spaces) {
+  std::string out;
+  bool pending_space = false;
+  for (size_t i = 0; i < content.size(); ++i) {
+    if (is_space(content[i])) {
+      pending_space = keep_spaces && !out.empty();
+      continue;
+    }
+    if (pending_space) out += ' ';
+    pending_space = false;
+    if (content.substr(i).starts_with("\\_")) ++i;
+    out += content[i];
+  }
+  return out;
 }
 
 class NormalForm {
@@ -71,6 +82,11 @@ class NormalForm {
       case TokenKind::Text:
         begin_symbol();
         append_text(read_text_token(block_.token_text(token)));
+        end_symbol();
+        break;
+      case TokenKind::Word:
+        begin_symbol();
+        append_word(block_.token_text(token));
         end_symbol();
         break;
       case TokenKind::Prime:
@@ -132,6 +148,13 @@ class NormalForm {
     after_command_ = is_control_word(text);
   }
 
+  /// `cook\_torrance` is the word in any font.
+  void append_word(std::string_view word) {
+    const bool is_joined = word.find('\\') != std::string_view::npos;
+    if (is_joined) return append_text(unescape(word, true));
+    append(word);
+  }
+
   /// Upright letters and digits are as good as others here: `\rho_{\text{diff}}` is `\rho_{diff}`.
   void append_text(const std::string& content) {
     const bool is_plain = !content.empty() && std::ranges::all_of(content, is_letter_or_digit);
@@ -170,23 +193,6 @@ class NormalForm {
   bool awaits_decorated_vec_ = false;
   bool after_command_ = false;  // a letter would become part of the command before it
 };
-
-// `\_` as `_`, white space folded (in \text) or dropped (in \mathrm, where TeX ignores it).
-std::string unescape(std::string_view content, bool keep_spaces) {
-  std::string out;
-  bool pending_space = false;
-  for (size_t i = 0; i < content.size(); ++i) {
-    if (is_space(content[i])) {
-      pending_space = keep_spaces && !out.empty();
-      continue;
-    }
-    if (pending_space) out += ' ';
-    pending_space = false;
-    if (content.substr(i).starts_with("\\_")) ++i;
-    out += content[i];
-  }
-  return out;
-}
 
 }  // namespace
 
@@ -229,7 +235,6 @@ std::string_view decoration_name(const ParsedBlock& block, uint32_t token) {
 }
 
 uint32_t behind_argument(const ParsedBlock& block, uint32_t token, uint32_t end) {
-  const auto is_decoration = [&](TokenKind kind) { return kind == TokenKind::Vec || kind == TokenKind::Accent; };
   while (token < end && is_decoration(block.tokens[token].kind)) ++token;
   if (token >= end) return end;
   return block.tokens[token].kind == TokenKind::OpenBrace ? behind_closer(block, token, end) : token + 1;

@@ -4,6 +4,7 @@
 #include <span>
 #include <string_view>
 
+#include "semantics/builtin_functions.h"
 #include "semantics/conventions.h"
 
 namespace texbrdf {
@@ -15,6 +16,8 @@ struct NameTraits {
   bool is_vector = false;                   ///< a parameter of this name is ℝ³ by its spelling
   bool is_reserved = false;                 ///< `exp`, `max` … without backslash
   bool may_be_brdf = false;                 ///< `f`, `f_r`, `f_{…}`: a name that papers give to a BRDF
+  bool may_be_brdf_or_albedo = false;       ///< `\rho`, `\rho_{bd}`: a BRDF only where it is a function of directions
+  std::optional<Builtin> builtin;           ///< a function that needs no definition
   bool is_foreign_command = false;          ///< a `\word` that is neither a Greek letter nor a convention
 
   /// What the name is where nothing defines it.

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "semantics/binders.h"
 #include "semantics/name_traits.h"
 #include "syntax/parsed_block.h"
 
@@ -30,6 +31,9 @@ struct Name {
   std::vector<std::string> decorations;
   std::vector<std::string> subscripts;  ///< canonical forms without braces, in order
   uint32_t primes = 0;
+  std::string label;          ///< "1" of `f^{(1)}`
+  bool is_in_angles = false;  ///< all of it: `\langle E\rangle`, a mean
+  bool is_hat_apart = false;  ///< `\hat{\mathbf h}` where that is another vector than `\mathbf h`
 
   bool is_vector() const { return !decorations.empty() && decorations.front() == "vec"; }
 };
@@ -40,6 +44,8 @@ Name read_name(const ParsedBlock& block, NodeId id);
 /// one convention are one name: `\vec{\omega_i}` gives `\omega_i`.
 std::string canonical_form(const Name& name);
 
+/// A name as a person types it. Nothing where it is no name.
+std::optional<Name> name_spelled(std::string_view spelling);
 /// The canonical form of a name as a person types it: `x_{1}` gives `x_1`, `\vec{n}` gives `\vec{n}`. Nothing where it
 /// is no name.
 std::optional<std::string> canonical_name(std::string_view spelling);
@@ -75,9 +81,44 @@ class NameTable {
   std::unique_ptr<Impl> impl_;
 };
 
+/// A Name that a binder binds: where it is declared, and where it is used. The variable of a derivative is declared
+/// nowhere: it is what the name means around the derivative.
+struct BoundUse {
+  NodeId node;
+  uint32_t binder = 0;  ///< position in BlockNames::binders
+};
+
+/// A Name that stands for others where nothing has it itself: `a_k` below a sum over k for `a_1`, `a_2` …, and `f''`
+/// for `f`, of which it is the second derivative where nothing has `f'` either.
+struct StandIn {
+  NodeId node;
+  std::vector<uint32_t> binders;  ///< whose indices it bears, outermost first; none for a derivative
+  std::vector<NameId> names;      ///< by index, that of the last binder fastest
+};
+
+/// Another name that a node is where the document defines it: `\langle E\rangle` of Angles around a Name, which is the
+/// positive part of E else, and `\hat{\mathbf h}`, which is `\mathbf h` else.
+struct PossibleName {
+  NodeId node;
+  NameId name;
+};
+
 /// The names of one block: by NodeId for Name nodes, invalid for all others.
 struct BlockNames {
   std::pmr::vector<NameId> by_node;
+  std::vector<Binder> binders = {};
+  std::vector<BoundUse> bound = {};         ///< by node, in order
+  std::vector<StandIn> stand_ins = {};      ///< by node, in order
+  std::vector<PossibleName> possible = {};  ///< by node, in order
+
+  const BoundUse* bound_use(NodeId node) const;
+  const StandIn* stand_in(NodeId node) const;
+
+  /// Of a parameter on a left side: invalid where it is an expression that gives no name a value.
+  NameId of_parameter(const ParsedBlock& block, NodeId parameter) const {
+    const NodeId name = block.parameter_name(parameter);
+    return name.valid() ? by_node[name.value] : NameId{};
+  }
 };
 
 /// Elements of a vector literal are no names: they must be numbers.

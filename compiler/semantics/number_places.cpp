@@ -1,5 +1,7 @@
 #include "semantics/number_places.h"
 
+#include "syntax/matrix_power.h"
+
 namespace texbrdf {
 
 bool NumberPlaces::is_number(NameId name) {
@@ -19,31 +21,57 @@ void NumberPlaces::read(NodeId id) {
   switch (node.kind) {
     case NodeKind::Root:
     case NodeKind::Function:
+    case NodeKind::Degrees:
     case NodeKind::Inverse:
     case NodeKind::Extremum:
+    case NodeKind::Comparison:
+    case NodeKind::Membership:
       for (const NodeId operand : children) add(operand);
       return;
     case NodeKind::Fraction:
       if (children.size() == 2) add(children[1]);
       return;
     case NodeKind::Infix:
-      if (children.size() != 2) return;
-      switch (view_.token(node.token).kind) {
-        case TokenKind::Caret:
-          add(children[0]);
-          return add(children[1]);
-        case TokenKind::Divide:
-          return add(children[1]);
-        case TokenKind::Plus:
-        case TokenKind::Minus:
-          read_sum(children[0], children[1]);
-          return read_sum(children[1], children[0]);
-        default:
-          return;
+      if (children.size() == 2 && matrix_power(view_.block, id) == MatrixPower::None) {
+        read_operation(view_.token(node.token).kind, children[0], children[1]);
       }
-    default:
+      return;
+    case NodeKind::Number:
+    case NodeKind::Name:
+    case NodeKind::Group:
+    case NodeKind::Tuple:
+    case NodeKind::Matrix:
+    case NodeKind::MatrixRow:
+    case NodeKind::Bars:
+    case NodeKind::Angles:
+    case NodeKind::Prefix:
+    case NodeKind::Apply:
+    case NodeKind::VectorLiteral:
+    case NodeKind::Juxtaposition:
+    case NodeKind::Cases:
+    case NodeKind::Case:
+    case NodeKind::Junction:
+    case NodeKind::Not:
+    case NodeKind::BigOperator:
+    case NodeKind::Integral:
+    case NodeKind::Derivative:
+    case NodeKind::Range:
+    case NodeKind::Set:
+    case NodeKind::Domain:
+    case NodeKind::Differential:
+    case NodeKind::Error:
+    case NodeKind::Signature:
+    case NodeKind::Definition:
       return;
   }
+}
+
+void NumberPlaces::read_operation(TokenKind op, NodeId left, NodeId right) {
+  if (op == TokenKind::Caret) add(left);
+  if (op == TokenKind::Caret || op == TokenKind::Divide) add(right);
+  if (op != TokenKind::Plus && op != TokenKind::Minus) return;
+  read_sum(left, right);
+  read_sum(right, left);
 }
 
 void NumberPlaces::read_sum(NodeId left, NodeId right) {

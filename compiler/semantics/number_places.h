@@ -17,6 +17,7 @@ class NumberPlaces {
  private:
   void find();
   void read(NodeId id);
+  void read_operation(TokenKind op, NodeId left, NodeId right);
   void read_sum(NodeId left, NodeId right);
   void add(NodeId operand);
 

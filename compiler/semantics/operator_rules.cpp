@@ -2,11 +2,19 @@
 
 #include <array>
 
+#include "semantics/matrix_rules.h"
+
 namespace texbrdf {
 namespace {
 
 constexpr auto kNeeds = std::to_array<std::string_view>({
-#define OPERATOR(name, needs) needs,
+#define OPERATOR(name, needs, matrix_needs) needs,
+#include "semantics/operators.def"
+#undef OPERATOR
+});
+
+constexpr auto kMatrixNeeds = std::to_array<std::string_view>({
+#define OPERATOR(name, needs, matrix_needs) matrix_needs,
 #include "semantics/operators.def"
 #undef OPERATOR
 });
@@ -23,7 +31,7 @@ constexpr auto kRules = std::to_array<Rule>({
 });
 
 constexpr auto kTypes = std::to_array<Type>({
-#define TYPE(name, symbol, components) Type::name,
+#define TYPE(name, symbol, rows, columns) Type::name,
 #include "semantics/types.def"
 #undef TYPE
 });
@@ -81,6 +89,18 @@ class ResultTable {
 
 constexpr ResultTable kResults;
 
+TypeSet aggregate_results(Operator op, TypeSet left, TypeSet right) {
+  TypeSet found;
+  for (const Type a : kTypes) {
+    if (!left.contains(a)) continue;
+    for (const Type b : kTypes) {
+      if (!right.contains(b) || !(is_aggregate(a) || is_aggregate(b))) continue;
+      if (const std::optional<Type> both = matrix_result(op, a, b)) found = found | *both;
+    }
+  }
+  return found;
+}
+
 }  // namespace
 
 std::optional<Operator> operator_of(TokenKind kind) {
@@ -93,11 +113,27 @@ std::optional<Operator> operator_of(TokenKind kind) {
   return std::nullopt;
 }
 
+std::span<const Type> TypeSet::all_types() {
+  return kTypes;
+}
+
+Type TypeSet::only_aggregate() const {
+  for (const Type type : kTypes) {
+    if (*this == TypeSet(type)) return is_aggregate(type) ? type : Type::Error;
+  }
+  return Type::Error;
+}
+
 std::string_view operator_needs(Operator op) {
   return kNeeds[static_cast<size_t>(op)];
 }
 
+std::string_view matrix_operator_needs(Operator op) {
+  return kMatrixNeeds[static_cast<size_t>(op)];
+}
+
 std::optional<Type> result(Operator op, Type left, Type right) {
+  if (is_aggregate(left) || is_aggregate(right)) return matrix_result(op, left, right);
   const Type found = kResults.of(op, left, right);
   return found == kNoRule ? std::nullopt : std::optional(found);
 }
@@ -108,7 +144,8 @@ TypeSet results(Operator op, TypeSet left, TypeSet right) {
     if (rule.op == op && left.contains(rule.left) && right.contains(rule.right)) found = found | rule.result;
   }
   if (left.contains(Type::Error) || right.contains(Type::Error)) found = found | Type::Error;
-  return found;
+  const bool may_be_aggregate = !((left | right) & TypeSet::aggregates()).empty();
+  return may_be_aggregate ? found | aggregate_results(op, left, right) : found;
 }
 
 }  // namespace texbrdf

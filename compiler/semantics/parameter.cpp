@@ -5,14 +5,11 @@
 #include <cmath>
 #include <string>
 
+#include "source/characters.h"
 #include "source/trimmed.h"
 
 namespace texbrdf {
 namespace {
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 // Without the percent signs.
 std::string_view comment_text(const ParsedBlock& block, Span comment) {

@@ -2,6 +2,7 @@
 
 #include "semantics/name_spelling.h"
 #include "semantics/names.h"
+#include "source/characters.h"
 
 namespace texbrdf {
 namespace {
@@ -12,6 +13,11 @@ class NameReader {
   NameReader(const ParsedBlock& block, uint32_t first, uint32_t end) : block_(block), token_(first), end_(end) {}
 
   Name read() {
+    name_.is_in_angles = kind() == TokenKind::OpenAngle;
+    if (name_.is_in_angles) {
+      ++token_;
+      --end_;
+    }
     read_decorated();
     return std::move(name_);
   }
@@ -52,6 +58,8 @@ class NameReader {
 
   void read_behind_base() {
     if (kind() == TokenKind::Prime) ++name_.primes;
+    if (is_label()) return read_label();
+    if (kind() == TokenKind::Plus) name_.subscripts.emplace_back("+");
     if (kind() != TokenKind::Underscore) {
       ++token_;
       return;
@@ -60,6 +68,18 @@ class NameReader {
     token_ = behind_argument(block_, first, end_);
     name_.subscripts.push_back(normal_tokens(block_, first, token_));
   }
+
+  bool is_label() const {
+    return kind() == TokenKind::Caret && token_ + kLabelTokens <= end_ &&
+           block_.tokens[token_ + 2].kind == TokenKind::OpenParen;
+  }
+
+  void read_label() {
+    name_.label = normal_tokens(block_, token_ + 3, token_ + 4);
+    token_ += kLabelTokens;
+  }
+
+  static constexpr uint32_t kLabelTokens = 6;  // ^{(1)}
 
   const ParsedBlock& block_;
   uint32_t token_;
@@ -82,7 +102,8 @@ std::string spelled(const Name& name) {
     if (level < name.subscripts.size()) text += subscript_suffix(name.subscripts[level]);
     if (level < name.decorations.size()) text += '}';
   }
-  return text.append(name.primes, '\'');
+  text.append(name.primes, '\'');
+  return name.label.empty() ? text : text + "^{(" + name.label + ")}";
 }
 
 }  // namespace
@@ -103,13 +124,15 @@ std::string shown_name(std::string_view canonical) {
 
 std::string shown_spelling(std::string_view source, std::string_view canonical) {
   constexpr size_t kLongest = 40;
-  const bool is_decorated = canonical.starts_with("\\vec{");
+  const bool is_decorated = canonical.starts_with("\\vec{") || canonical == kStepFunction;
   const bool is_plain_line = source.size() <= kLongest && source.find_first_of("\r\n\t%&") == std::string_view::npos;
   return is_decorated && is_plain_line ? std::string(source) : shown_name(canonical);
 }
 
 std::string canonical_form(const Name& name) {
   std::string text = spelled(name);
+  if (name.is_in_angles) return (is_letter(text.front()) ? "\\langle " : "\\langle") + text + "\\rangle";
+  if (name.is_hat_apart) return "\\hat{" + text + "}";
   if (const std::optional<Convention> convention = find_convention(text)) {
     return std::string(convention_entry(*convention).spellings.front());
   }

@@ -1,4 +1,6 @@
+#include "semantics/bound_names.h"
 #include "semantics/names.h"
+#include "semantics/possible_names.h"
 
 namespace texbrdf {
 namespace {
@@ -17,7 +19,8 @@ bool is_surely_canonical(const ParsedBlock& block, const Node& node) {
     if (tokens[i].span.begin != tokens[i - 1].span.end) return false;
   }
   const auto is_symbol = [&](size_t i) {
-    return is_word_or_command(tokens[i].kind) || tokens[i].kind == TokenKind::Number;
+    if (tokens[i].kind == TokenKind::Word) return block.slice(tokens[i].span).find('\\') == std::string_view::npos;
+    return tokens[i].kind == TokenKind::Macro || tokens[i].kind == TokenKind::Number;
   };
   const auto is_long = [&](size_t i) { return tokens[i].kind != TokenKind::Macro && tokens[i].span.size() > 1; };
   if (tokens.size() == 1) return true;
@@ -54,6 +57,8 @@ BlockNames read_names(const ParsedBlock& block, NameTable& table, std::pmr::memo
     if (nodes[node].kind == NodeKind::Name) names.by_node[node] = read_node(block, NodeId{node}, table);
     if (nodes[node].kind == NodeKind::VectorLiteral) forget_elements(block.tree, node, names);
   }
+  read_possible_names(block, table, names);
+  read_bound_names(block, table, names);
   return names;
 }
 

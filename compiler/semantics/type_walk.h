@@ -3,17 +3,34 @@
 #include <vector>
 
 #include "semantics/body_view.h"
-#include "semantics/operator_rules.h"
+#include "semantics/builtin_functions.h"
+#include "semantics/matrix_rules.h"
+#include "syntax/matrix_power.h"
 
 namespace texbrdf {
+
+/// What `^T` makes of the base of a power. `(a, b)^T` is how papers write a column.
+inline std::optional<Type> transposed_base(const DefinitionView& view, NodeId power, Type base) {
+  const Node& node = view.node(view.block.tree.child(power, 0));
+  const bool is_column = node.kind == NodeKind::Tuple && view.token(node.token).kind != TokenKind::OpenMatrix;
+  return is_column ? std::optional(base) : transposed(base);
+}
 
 /// The one walk that gives types to the nodes of a body, bottom-up. A Domain says what a value is: one type with
 /// reports (type_body.cpp), or the set of types it may still have (infer_parameters.cpp). It provides
 ///   Value exactly(Type), Value parameter(uint32_t position),
 ///   Value binary(NodeId, Operator, Value left, Value right),
-///   Value elementary(NodeId, const Values&), Value tuple(NodeId, const Values&),
+///   Value elementary(NodeId, const Values&), Value tuple(NodeId, const Values&), Value matrix(NodeId, const Values&),
+///   Value determinant(NodeId, Value operand), Value power_of_matrix(NodeId, MatrixPower, Value base, Value power),
+///   Value builtin(NodeId, Builtin, const Values&), Value derivative_call(NodeId, const Signature&, const Values&),
 ///   Value call(NodeId, const Signature&, const Values&),
-///   Value length(Value operand), Value leaf(uint32_t slot), bool stopped()
+///   Value call_definition(NodeId, NameId function, const Signature&, const Values&),
+///   Value bounds(NodeId, const Values&), Value reduction(NodeId, Value bounds, Value body),
+///   Value derivative(NodeId, Value variable, Value body),
+///   Value signed_value(NodeId, Value operand), Value length(NodeId, Value operand),
+///   Value comparison(NodeId, const Values&), Value junction(NodeId, const Values&),
+///   Value row(NodeId, const Values&), Value cases(NodeId, const Values&),
+///   Value leaf(uint32_t slot), bool stopped()
 /// where Values are all values so far by slot.
 template <typename Domain>
 class TypeWalk {
@@ -36,6 +53,9 @@ class TypeWalk {
  private:
   Value value(NodeId id, const Values& values) {
     const Node& node = view_.node(id);
+    const Referent& referent = body_.referents[view_.slot(id)];
+    const bool is_argument = referent.kind == Referent::Kind::Parameter && node.kind != NodeKind::Name;
+    if (is_argument) return domain_.parameter(referent.index);
     switch (node.kind) {
       case NodeKind::Number:
         return domain_.exactly(Type::Real);
@@ -44,12 +64,17 @@ class TypeWalk {
       case NodeKind::Name:
         return name(id);
       case NodeKind::Group:
-      case NodeKind::Prefix:
         return node.child_count == 1 ? child(id, 0, values) : domain_.exactly(Type::Error);
+      case NodeKind::Prefix:
+        return node.child_count == 1 ? domain_.signed_value(id, child(id, 0, values)) : domain_.exactly(Type::Error);
       case NodeKind::Tuple:
         return domain_.tuple(id, values);
+      case NodeKind::Matrix:
+        return domain_.matrix(id, values);
+      case NodeKind::MatrixRow:
+        return domain_.exactly(Type::Real);
       case NodeKind::Bars:
-        return domain_.length(child(id, 0, values));
+        return domain_.length(id, child(id, 0, values));
       case NodeKind::Angles:
         if (node.child_count == 1) return domain_.elementary(id, values);
         return domain_.binary(id, Operator::Multiply, child(id, 0, values), child(id, 1, values));
@@ -57,15 +82,40 @@ class TypeWalk {
         return domain_.binary(id, Operator::Divide, child(id, 0, values), child(id, 1, values));
       case NodeKind::Infix:
         return binary(id, values);
-      case NodeKind::Root:
       case NodeKind::Function:
+        if (view_.token(node.token).command == Command::Det) return domain_.determinant(id, child(id, 0, values));
+        return domain_.elementary(id, values);
+      case NodeKind::Root:
+      case NodeKind::Degrees:
       case NodeKind::Inverse:
       case NodeKind::Extremum:
         return domain_.elementary(id, values);
       case NodeKind::Apply:
         return apply(id, values);
+      case NodeKind::BigOperator:
+        return domain_.reduction(id, child(id, 1, values), child(id, 2, values));
+      case NodeKind::Integral:
+        return domain_.reduction(id, child(id, 0, values), child(id, 1, values));
+      case NodeKind::Derivative:
+        return domain_.derivative(id, child(id, 1, values), child(id, 0, values));
+      case NodeKind::Range:
+      case NodeKind::Set:
+        return domain_.bounds(id, values);
+      case NodeKind::Domain:
+      case NodeKind::Differential:
+        return domain_.exactly(Type::Real);
       case NodeKind::Juxtaposition:
         return side_by_side(id, values);
+      case NodeKind::Comparison:
+      case NodeKind::Membership:
+        return domain_.comparison(id, values);
+      case NodeKind::Junction:
+      case NodeKind::Not:
+        return domain_.junction(id, values);
+      case NodeKind::Case:
+        return domain_.row(id, values);
+      case NodeKind::Cases:
+        return domain_.cases(id, values);
       case NodeKind::Error:
       case NodeKind::Signature:
       case NodeKind::Definition:
@@ -87,7 +137,9 @@ class TypeWalk {
   Value binary(NodeId id, const Values& values) {
     const std::optional<Operator> op = operator_of(view_.token(view_.node(id).token).kind);
     if (!op || view_.node(id).child_count != 2) return domain_.exactly(Type::Error);
-    return domain_.binary(id, *op, child(id, 0, values), child(id, 1, values));
+    const MatrixPower power = *op == Operator::Power ? matrix_power(view_.block, id) : MatrixPower::None;
+    if (power == MatrixPower::None) return domain_.binary(id, *op, child(id, 0, values), child(id, 1, values));
+    return domain_.power_of_matrix(id, power, child(id, 0, values), child(id, 1, values));
   }
 
   // What stands behind an unknown command or a word that lacks its backslash may be its operands.
@@ -105,9 +157,17 @@ class TypeWalk {
 
   Value apply(NodeId id, const Values& values) {
     const Referent& callee = body_.referents[view_.slot(view_.block.tree.child(id, 0))];
-    if (callee.kind != Referent::Kind::Definition) return domain_.exactly(Type::Error);
-    const Signature& signature = view_.facts.fact(NameId{callee.index}).signature;
-    return signature.is_function ? domain_.call(id, signature, values) : domain_.exactly(Type::Error);
+    if (callee.kind == Referent::Kind::Builtin) {
+      return domain_.builtin(id, static_cast<Builtin>(callee.index), values);
+    }
+    if (callee.kind == Referent::Kind::Indexed) return domain_.call(id, body_.indexed[callee.index].signature, values);
+    const bool is_derivative = callee.kind == Referent::Kind::Derivative;
+    if (callee.kind != Referent::Kind::Definition && !is_derivative) return domain_.exactly(Type::Error);
+    const NameId function{callee.index};
+    const Signature& signature = view_.facts.fact(function).signature;
+    if (!signature.is_function) return domain_.exactly(Type::Error);
+    return is_derivative ? domain_.derivative_call(id, signature, values)
+                         : domain_.call_definition(id, function, signature, values);
   }
 
   // Whatever else stands in the literal is reported by the parser.

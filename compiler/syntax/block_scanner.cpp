@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "source/characters.h"
+#include "syntax/markdown_code.h"
+#include "syntax/next_character.h"
 #include "syntax/verbatim.h"
 
 namespace texbrdf {
@@ -19,13 +22,11 @@ constexpr size_t kLongestEnvironmentName = 64;
 constexpr size_t kProseBytes = 4096;
 
 constexpr std::string_view kDirective = "texbrdf:";
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
+constexpr std::string_view kHtmlCommentOpener = "<!--";
+constexpr std::string_view kHtmlCommentCloser = "-->";
 
-bool is_blank(char c) {
-  return c == ' ' || c == '\t';
-}
+/// A `$` and the next one, with code in backticks between, are two stray ones; those farther apart are not looked at.
+constexpr size_t kLongestStray = 1024;
 
 struct IncludeWord {
   std::string_view word;
@@ -45,37 +46,16 @@ constexpr auto kIncludeWords = std::to_array<IncludeWord>({{"input", IncludeComm
 /// No path that matters here is longer.
 constexpr size_t kLongestPath = 1024;
 
-bool is_line_end(char c) {
-  return c == '\n' || c == '\r';
+/// ` and `: words with blanks around, and nothing that mathematics is written with.
+bool is_prose(std::string_view text) {
+  if (text.size() < 2 || !is_blank(text.front()) || !is_blank(text.back())) return false;
+  bool has_word = false;
+  for (size_t i = 0; i < text.size(); ++i) {
+    if (text.substr(i, 1).find_first_of("\\^_{}+*/<>|") != std::string_view::npos) return false;
+    has_word = has_word || (i > 0 && is_letter(text[i]) && is_letter(text[i - 1]));
+  }
+  return has_word;
 }
-
-/// The next place of one character. No stretch of the text is searched twice, however far the wanted one is.
-class NextCharacter {
- public:
-  NextCharacter(std::string_view text, char wanted) : text_(text), wanted_(wanted), known_(find(0, text.size())) {}
-
-  size_t from(size_t at) {
-    if (known_ < at) known_ = find(at, text_.size());
-    if (at < searched_from_) {
-      const size_t earlier = find(at, searched_from_);
-      if (earlier != searched_from_) known_ = earlier;
-    }
-    searched_from_ = at;
-    return known_;
-  }
-
- private:
-  size_t find(size_t begin, size_t end) const {
-    if (begin >= end) return end;
-    const void* found = std::memchr(text_.data() + begin, wanted_, end - begin);
-    return found == nullptr ? end : static_cast<size_t>(static_cast<const char*>(found) - text_.data());
-  }
-
-  std::string_view text_;
-  char wanted_;
-  size_t known_;
-  size_t searched_from_ = 0;
-};
 
 /// A `\begin{…}` or `\end{…}` that is no comment and no verbatim text, or the opener of a formula; or a place where
 /// prose may be cut.
@@ -91,18 +71,25 @@ struct Mark {
 /// Walks a document from mark to mark.
 class MarkReader {
  public:
-  explicit MarkReader(std::string_view text)
-      : text_(text), backslash_(text, '\\'), percent_(text, '%'), dollar_(text, '$') {}
+  MarkReader(std::string_view text, TextLanguage language, bool starts_line)
+      : text_(text), backslash_(text, '\\'), percent_(text, '%'), dollar_(text, '$') {
+    if (language == TextLanguage::Markdown) markdown_.emplace(text, starts_line);
+  }
 
-  void seek(size_t at) { at_ = at; }
+  /// What stands from there on will be read again.
+  void seek(size_t at) {
+    at_ = at;
+    std::erase_if(macros_, [at](const MacroDefinition& macro) { return macro.span.begin >= at; });
+  }
 
   /// Stops at the first line that starts behind `cut_from`.
   Mark next_in_prose(size_t cut_from) {
     for (;;) {
       const size_t backslash = backslash_.from(at_);
-      const size_t percent = percent_.from(at_);
+      const size_t percent = markdown_ ? text_.size() : percent_.from(at_);
+      const size_t code = markdown_ ? markdown_->next(at_) : text_.size();
       const size_t dollar = dollar_.from(at_);
-      const size_t nearest = std::min({backslash, percent, dollar});
+      const size_t nearest = std::min({backslash, percent, code, dollar});
       if (const size_t cut = find_cut(cut_from, nearest); cut != kNoCut) {
         at_ = cut;
         return {Mark::Kind::Cut, span(cut, cut)};
@@ -111,8 +98,10 @@ class MarkReader {
       std::optional<Mark> mark;
       if (nearest == percent) {
         read_comment(percent);
+      } else if (nearest == code) {
+        mark = read_code(code);
       } else if (nearest == dollar) {
-        mark = read_formula(dollar, text_.substr(dollar, 2) == "$$" ? MathRegion::DoubleDollars : MathRegion::Dollars);
+        mark = read_dollar(dollar);
       } else {
         mark = read_command(backslash, Inside::Prose);
       }
@@ -134,10 +123,23 @@ class MarkReader {
     }
   }
 
-  /// Comments `% texbrdf:` since they were last taken.
+  /// How far was looked to find what is no formula.
+  uint32_t decided_at() const { return decided_at_; }
+
+  /// Comments `texbrdf:` since they were last taken.
   std::vector<Span> take_directives() { return std::exchange(directives_, {}); }
   /// Absolute, since they were last taken.
   std::vector<IncludeCommand> take_includes() { return std::exchange(includes_, {}); }
+  /// Absolute, since they were last taken: those that begin before `end`.
+  std::vector<MacroDefinition> take_macros(uint32_t end) {
+    const auto behind =
+        std::ranges::partition_point(macros_, [end](const MacroDefinition& m) { return m.span.begin < end; });
+    std::vector<MacroDefinition> taken(std::make_move_iterator(macros_.begin()), std::make_move_iterator(behind));
+    macros_.erase(macros_.begin(), behind);
+    return taken;
+  }
+  /// No definition of a macro was looked at from here on.
+  uint32_t macros_decided_at() const { return macros_decided_at_; }
   /// Where the lines of comments begin, the first of them a directive, that end right above `mark`; else its begin.
   uint32_t with_directives(const Mark& mark) const {
     return has_run_ && run_end_ == mark.span.begin ? run_begin_ : mark.span.begin;
@@ -167,15 +169,66 @@ class MarkReader {
     at_ = line_end(percent);
   }
 
+  /// Of Markdown.
+  std::optional<Mark> read_code(size_t opener) {
+    const MarkdownCode::Stretch stretch = markdown_->read(opener);
+    if (stretch.is_comment) note_html_directive(opener);
+    at_ = stretch.end;
+    decided_at_ = std::max(decided_at_, static_cast<uint32_t>(stretch.decided_at));
+    if (!stretch.is_mathematics) return std::nullopt;
+    const FormulaEnd end{.ended_by = stretch.is_closed ? BlockEnd::Closed : BlockEnd::DocumentEnd,
+                         .content_end = static_cast<uint32_t>(stretch.content_end),
+                         .end = static_cast<uint32_t>(stretch.end),
+                         .decided_at = static_cast<uint32_t>(stretch.decided_at),
+                         .has_relation = true};
+    return formula(line_begin(opener), stretch.content_begin, MathRegion::Fence, end);
+  }
+
+  /// Of what only blanks stand before.
+  size_t line_begin(size_t at) const {
+    while (at > 0 && is_blank(text_[at - 1])) --at;
+    return at;
+  }
+
+  std::optional<Mark> read_dollar(size_t dollar) {
+    const std::string_view opener = text_.substr(dollar, 2);
+    if (markdown_ && opener == opener_of(MathRegion::BacktickDollars)) {
+      const FormulaEnd end =
+          find_formula_end(text_, static_cast<uint32_t>(dollar + opener.size()), MathRegion::BacktickDollars);
+      decided_at_ = std::max(decided_at_, end.decided_at);
+      at_ = end.end;
+      if (end.ended_by == BlockEnd::Closed) {
+        return formula(dollar, dollar + opener.size(), MathRegion::BacktickDollars, end);
+      }
+    }
+    return read_formula(dollar, opener == "$$" ? MathRegion::DoubleDollars : MathRegion::Dollars);
+  }
+
   void note_directive(size_t percent) {
-    size_t word = percent + 1;
-    while (word < text_.size() && is_blank(text_[word])) ++word;
-    if (!text_.substr(word).starts_with(kDirective)) return;
+    if (!says_directive(percent + 1)) return;
     directives_.push_back(span(percent, line_end(percent)));
-    if (has_run_ && percent < run_end_) return;
+    if (!is_in_run(percent)) begin_run(percent, behind_comments(percent));
+  }
+
+  void note_html_directive(size_t opener) {
+    if (!says_directive(opener + kHtmlCommentOpener.size())) return;
+    const size_t end = end_in_line(opener);
+    if (end == opener) return;
+    directives_.push_back(span(opener, end));
+    if (!is_in_run(opener)) begin_run(opener, behind_html_comments(opener));
+  }
+
+  bool says_directive(size_t word) const {
+    while (word < text_.size() && is_blank(text_[word])) ++word;
+    return text_.substr(word).starts_with(kDirective);
+  }
+
+  bool is_in_run(size_t comment) const { return has_run_ && comment < run_end_; }
+
+  void begin_run(size_t begin, size_t end) {
     has_run_ = true;
-    run_begin_ = static_cast<uint32_t>(percent);
-    run_end_ = static_cast<uint32_t>(behind_comments(percent));
+    run_begin_ = static_cast<uint32_t>(begin);
+    run_end_ = static_cast<uint32_t>(end);
   }
 
   /// Behind the lines of comments from `percent` on and the blanks that the next line starts with.
@@ -190,19 +243,66 @@ class MarkReader {
     return at;
   }
 
+  /// The same, of HTML comments that take a line each.
+  size_t behind_html_comments(size_t opener) const {
+    size_t at = opener;
+    for (size_t end = end_in_line(at); end != at; end = end_in_line(at)) {
+      at = behind_blanks(end);
+      if (at >= text_.size() || !is_line_end(text_[at])) return at;
+      if (text_.substr(at).starts_with("\r\n")) ++at;
+      at = behind_blanks(at + 1);
+    }
+    return at;
+  }
+
+  /// Of an HTML comment; where it opens if none stands there or another line closes it.
+  size_t end_in_line(size_t opener) const {
+    if (!text_.substr(opener).starts_with(kHtmlCommentOpener)) return opener;
+    for (size_t at = opener + kHtmlCommentOpener.size(); at < text_.size() && !is_line_end(text_[at]); ++at) {
+      if (text_.substr(at).starts_with(kHtmlCommentCloser)) return at + kHtmlCommentCloser.size();
+    }
+    return opener;
+  }
+
+  size_t behind_blanks(size_t at) const {
+    while (at < text_.size() && is_blank(text_[at])) ++at;
+    return at;
+  }
+
   size_t line_end(size_t from) const {
     return static_cast<size_t>(
         std::find_if(text_.begin() + static_cast<std::ptrdiff_t>(from), text_.end(), is_line_end) - text_.begin());
   }
 
-  /// Inline mathematics that defines nothing is passed over.
+  /// Inline mathematics that defines nothing is passed over; a `$` before words belongs to no formula: the next one may
+  /// open one.
   std::optional<Mark> read_formula(size_t opener, MathRegion region) {
     const size_t begin = opener + opener_of(region).size();
     const FormulaEnd end = find_formula_end(text_, static_cast<uint32_t>(begin), region);
     at_ = end.end;
+    decided_at_ = std::max(decided_at_, end.decided_at);
+    const std::string_view content = text_.substr(begin, end.content_end - begin);
+    const bool is_stray = (!end.has_relation && is_prose(content)) || holds_code(content);
+    if (region == MathRegion::Dollars && end.ended_by == BlockEnd::Closed && is_stray) {
+      at_ = begin;
+      return std::nullopt;
+    }
+    return formula(opener, begin, region, end);
+  }
+
+  /// Nothing where it is prose.
+  std::optional<Mark> formula(size_t opener, size_t begin, MathRegion region, const FormulaEnd& end) {
+    for (MacroDefinition& macro : find_macro_definitions(text_, {static_cast<uint32_t>(begin), end.content_end})) {
+      macros_.push_back(std::move(macro));
+    }
     const bool may_define = end.ended_by == BlockEnd::Closed && end.has_relation;
     if (is_inline(region) && !may_define) return std::nullopt;
     return Mark{.kind = Mark::Kind::Formula, .span = span(opener, begin), .region = region, .formula = end};
+  }
+
+  /// Of Markdown.
+  bool holds_code(std::string_view content) const {
+    return markdown_ && content.size() <= kLongestStray && content.find('`') != std::string_view::npos;
   }
 
   std::optional<Mark> read_command(size_t backslash, Inside inside) {
@@ -223,8 +323,32 @@ class MarkReader {
     } else if (const auto include = std::ranges::find(kIncludeWords, word, &IncludeWord::word);
                include != kIncludeWords.end()) {
       read_include(backslash, include->kind);
+    } else if (defines_macros(word)) {
+      read_macro(backslash);
+    } else if (const MathShortcut* const shortcut = find_math_shortcut(word);
+               shortcut != nullptr && inside == Inside::Prose) {
+      return read_shortcut(backslash, *shortcut);
     }
     return std::nullopt;
+  }
+
+  /// `\be … \ee`; a command that nothing closes is another macro.
+  std::optional<Mark> read_shortcut(size_t backslash, const MathShortcut& shortcut) {
+    const size_t begin = at_;
+    const FormulaEnd end = find_formula_end(text_, static_cast<uint32_t>(begin), MathRegion::Shortcut, &shortcut);
+    decided_at_ = std::max(decided_at_, end.decided_at);
+    if (end.ended_by != BlockEnd::Closed) return std::nullopt;
+    at_ = end.end;
+    return formula(backslash, begin, MathRegion::Shortcut, end);
+  }
+
+  /// What a macro stands for is no part of the text around.
+  void read_macro(size_t backslash) {
+    MacroReading reading = read_macro_definition(text_, static_cast<uint32_t>(backslash), static_cast<uint32_t>(at_));
+    macros_decided_at_ = std::max(macros_decided_at_, reading.decided_at);
+    if (!reading.definition) return;
+    at_ = reading.definition->span.end;
+    macros_.push_back(std::move(*reading.definition));
   }
 
   /// A path that holds a command or a parameter of a macro is none that could be read.
@@ -299,11 +423,15 @@ class MarkReader {
 
   std::string_view text_;
   size_t at_ = 0;
+  uint32_t decided_at_ = 0;
   NextCharacter backslash_;
   NextCharacter percent_;
   NextCharacter dollar_;
+  std::optional<MarkdownCode> markdown_;  // of a text that is Markdown
   std::vector<Span> directives_;
   std::vector<IncludeCommand> includes_;
+  std::vector<MacroDefinition> macros_;
+  uint32_t macros_decided_at_ = 0;
   bool has_run_ = false;
   uint32_t run_begin_ = 0;
   uint32_t run_end_ = 0;
@@ -363,7 +491,8 @@ DocumentPart block_part(uint32_t origin, const BlockExtent& extent, uint32_t dec
           .reach = std::max(decided_at - origin, extent.whole.size()),
           .block = extent,
           .directives = {},
-          .includes = {}};
+          .includes = {},
+          .macros = {}};
 }
 
 DocumentPart scan_environment(MarkReader& reader, std::string_view document, uint32_t origin, const Mark& begin) {
@@ -424,6 +553,7 @@ struct BlockScanner::Impl {
     // Those of a block are its own.
     reader.take_directives();
     reader.take_includes();
+    add_macros(part);
     return part;
   }
 
@@ -446,9 +576,15 @@ struct BlockScanner::Impl {
 
   DocumentPart prose(uint32_t end, const Mark& behind) {
     // What stands inline is a block or prose by all that it holds.
-    const uint32_t decided_at = is_inline(behind.region) ? behind.formula.decided_at : behind.span.end;
-    DocumentPart part{
-        .begin = at, .size = end - at, .reach = decided_at - at, .block = {}, .directives = {}, .includes = {}};
+    const uint32_t mark_at = is_inline(behind.region) ? behind.formula.decided_at : behind.span.end;
+    const uint32_t decided_at = std::max(mark_at, reader.decided_at());
+    DocumentPart part{.begin = at,
+                      .size = end - at,
+                      .reach = decided_at - at,
+                      .block = {},
+                      .directives = {},
+                      .includes = {},
+                      .macros = {}};
     for (Span directive : reader.take_directives()) {
       if (directive.begin < end) part.directives.push_back({directive.begin - at, directive.end - at});
     }
@@ -457,7 +593,18 @@ struct BlockScanner::Impl {
       for (Span* span : {&include.span, &include.folder, &include.path}) *span = {span->begin - at, span->end - at};
       part.includes.push_back(include);
     }
+    add_macros(part);
     return part;
+  }
+
+  void add_macros(DocumentPart& part) {
+    part.macros = reader.take_macros(part.begin + part.size);
+    for (MacroDefinition& macro : part.macros) {
+      for (Span* span : {&macro.span, &macro.name_span}) *span = {span->begin - part.begin, span->end - part.begin};
+    }
+    if (reader.macros_decided_at() > part.begin) {
+      part.reach = std::max(part.reach, reader.macros_decided_at() - part.begin);
+    }
   }
 
   DocumentPart epilogue(const Mark& mark) const {
@@ -467,12 +614,13 @@ struct BlockScanner::Impl {
             .block = {},
             .directives = {},
             .includes = {},
+            .macros = {},
             .is_epilogue = true};
   }
 };
 
-BlockScanner::BlockScanner(std::string_view text, bool is_whole)
-    : impl_(std::make_unique<Impl>(Impl{text, is_whole, MarkReader(text), 0, std::nullopt})) {}
+BlockScanner::BlockScanner(std::string_view text, bool is_whole, TextLanguage language, bool starts_line)
+    : impl_(std::make_unique<Impl>(Impl{text, is_whole, MarkReader(text, language, starts_line), 0, std::nullopt})) {}
 BlockScanner::~BlockScanner() = default;
 
 std::optional<DocumentPart> BlockScanner::next() {
@@ -486,16 +634,16 @@ std::optional<DocumentPart> BlockScanner::next() {
   return part;
 }
 
-std::vector<DocumentPart> scan_parts(std::string_view document) {
+std::vector<DocumentPart> scan_parts(std::string_view document, TextLanguage language) {
   std::vector<DocumentPart> parts;
-  BlockScanner scanner(document, true);
+  BlockScanner scanner(document, true, language, true);
   while (std::optional<DocumentPart> part = scanner.next()) parts.push_back(std::move(*part));
   return parts;
 }
 
-std::vector<BlockExtent> scan_blocks(std::string_view document) {
+std::vector<BlockExtent> scan_blocks(std::string_view document, TextLanguage language) {
   std::vector<BlockExtent> blocks;
-  BlockScanner scanner(document, true);
+  BlockScanner scanner(document, true, language, true);
   while (const std::optional<DocumentPart> part = scanner.next()) {
     if (part->block) blocks.push_back(*part->block);
   }

@@ -7,15 +7,17 @@
 #include <vector>
 
 #include "source/span.h"
+#include "source/text_language.h"
 #include "syntax/formula_end.h"
+#include "syntax/macro_definition.h"
 
 namespace texbrdf {
 
 /// One math block, in bytes of the document. [whole.begin, whole.end) is what the block owns: all its other spans are
 /// relative to whole.begin.
 struct BlockExtent {
-  /// Absolute; from the backslash of \begin (or the first comment `% texbrdf:` right above) to behind \end{…}, or to
-  /// where the block was broken off.
+  /// Absolute; from the backslash of \begin (or the first comment `% texbrdf:`, `<!-- texbrdf:` right above) to behind
+  /// \end{…}, or to where the block was broken off.
   Span whole;
   Span begin;    ///< relative: the \begin{equation}, \[, $$ …
   Span content;  ///< relative: between that and what closes it
@@ -41,7 +43,7 @@ struct IncludeCommand {
 };
 
 /// A part of a document: one math block, or prose. Parts follow each other without gaps; each begins where nothing is
-/// open, so what a part is depends on nothing before it.
+/// open, so what a part is depends on nothing before it; in Markdown, on whether it starts a line.
 struct DocumentPart {
   uint32_t begin = 0;  ///< absolute
   uint32_t size = 0;
@@ -50,8 +52,9 @@ struct DocumentPart {
   uint32_t reach = 0;
   std::optional<BlockExtent> block;
   std::vector<Span>
-      directives;  ///< of prose: its comments `% texbrdf: …`, relative; those above a block are in the block
+      directives;  ///< of prose: its comments `texbrdf: …`, relative; those above a block are in the block
   std::vector<IncludeCommand> includes;  ///< of prose
+  std::vector<MacroDefinition> macros;   ///< relative
   /// After \end{document}: whatever follows belongs to it.
   bool is_epilogue = false;
 };
@@ -61,7 +64,9 @@ struct DocumentPart {
 class BlockScanner {
  public:
   /// `text` begins with a part. Where `is_whole` is false, more follows behind it that is not shown.
-  BlockScanner(std::string_view text, bool is_whole);
+  BlockScanner(std::string_view text, bool is_whole) : BlockScanner(text, is_whole, TextLanguage::Latex, true) {}
+  /// `starts_line`: nothing stands before the text in its line.
+  BlockScanner(std::string_view text, bool is_whole, TextLanguage language, bool starts_line);
   ~BlockScanner();
   /// Nothing at the end, or where only what follows could tell.
   std::optional<DocumentPart> next();
@@ -71,8 +76,8 @@ class BlockScanner {
   std::unique_ptr<Impl> impl_;
 };
 
-std::vector<DocumentPart> scan_parts(std::string_view document);
+std::vector<DocumentPart> scan_parts(std::string_view document, TextLanguage language = TextLanguage::Latex);
 /// The math blocks alone.
-std::vector<BlockExtent> scan_blocks(std::string_view document);
+std::vector<BlockExtent> scan_blocks(std::string_view document, TextLanguage language = TextLanguage::Latex);
 
 }  // namespace texbrdf

@@ -10,9 +10,9 @@ constexpr uint32_t kNone = UINT32_MAX;
 
 /// One comparison for the kinds that follow each other in token_kind.def.
 constexpr bool is_bracket(TokenKind kind) {
-  return kind >= TokenKind::OpenParen && kind <= TokenKind::CloseAngle;
+  return kind >= TokenKind::OpenParen && kind <= TokenKind::CloseInterval;
 }
-static_assert(static_cast<int>(TokenKind::CloseAngle) - static_cast<int>(TokenKind::OpenParen) == 9);
+static_assert(static_cast<int>(TokenKind::CloseInterval) - static_cast<int>(TokenKind::OpenParen) == 15);
 
 /// Pairs each closer with the nearest open bracket of its kind; what was opened in between stays open there.
 class Pairing {
@@ -95,6 +95,9 @@ TokenKind closer_of(TokenKind opener) {
   if (opener == TokenKind::OpenBracket) return TokenKind::CloseBracket;
   if (opener == TokenKind::OpenSet) return TokenKind::CloseSet;
   if (opener == TokenKind::OpenAngle) return TokenKind::CloseAngle;
+  if (opener == TokenKind::OpenCases) return TokenKind::CloseCases;
+  if (opener == TokenKind::OpenMatrix) return TokenKind::CloseMatrix;
+  if (opener == TokenKind::OpenInterval) return TokenKind::CloseInterval;
   return TokenKind::Unknown;
 }
 
@@ -104,7 +107,8 @@ bool is_opener(TokenKind kind) {
 
 bool is_closer(TokenKind kind) {
   return kind == TokenKind::CloseParen || kind == TokenKind::CloseBrace || kind == TokenKind::CloseBracket ||
-         kind == TokenKind::CloseSet || kind == TokenKind::CloseAngle;
+         kind == TokenKind::CloseSet || kind == TokenKind::CloseAngle || kind == TokenKind::CloseCases ||
+         kind == TokenKind::CloseMatrix || kind == TokenKind::CloseInterval;
 }
 
 bool brackets_balance(std::span<const Token> tokens) {

@@ -99,4 +99,8 @@ Command inverse_of(Command function) {
   return entry == std::end(kInverses) ? Command::None : entry->second;
 }
 
+bool is_trigonometric(Command function) {
+  return function == Command::Sin || function == Command::Cos || function == Command::Tan;
+}
+
 }  // namespace texbrdf

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "source/characters.h"
 #include "syntax/control_words.h"
 #include "syntax/verbatim.h"
 
@@ -13,21 +14,10 @@ namespace {
 constexpr auto kWordsOfProse =
     std::to_array<std::string_view>({"item", "par", "section", "subsection", "paragraph", "chapter", "caption"});
 
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
-bool is_blank(char c) {
-  return c == ' ' || c == '\t';
-}
-
-bool is_line_end(char c) {
-  return c == '\n' || c == '\r';
-}
-
 class FormulaReader {
  public:
-  FormulaReader(std::string_view text, uint32_t begin, MathRegion region) : text_(text), region_(region), at_(begin) {}
+  FormulaReader(std::string_view text, uint32_t begin, MathRegion region, const MathShortcut* shortcut)
+      : text_(text), region_(region), shortcut_(shortcut), at_(begin) {}
 
   FormulaEnd run() {
     while (!is_done_ && at_ < text_.size()) read_one();
@@ -49,6 +39,8 @@ class FormulaReader {
         return read_command();
       case '$':
         return read_dollar();
+      case '`':
+        return read_backtick();
       case '{':
         ++depth_;
         break;
@@ -74,9 +66,18 @@ class FormulaReader {
     stop(BlockEnd::BlankLine, next_line, next_line);
   }
 
+  void read_backtick() {
+    const uint32_t begin = at_++;
+    if (region_ != MathRegion::BacktickDollars) return;
+    const bool closes = at_ < text_.size() && text_[at_] == '$';
+    looked_at_ = std::min(at_ + 1, static_cast<uint32_t>(text_.size()));
+    stop(closes ? BlockEnd::Closed : BlockEnd::WrongEnd, begin, closes ? at_ + 1 : at_);
+  }
+
   void read_dollar() {
     const uint32_t begin = at_++;
     if (text_depth_ > 0) return;
+    if (region_ == MathRegion::Shortcut) return stop(BlockEnd::WrongEnd, begin, at_);
     if (region_ == MathRegion::Dollars) return stop(BlockEnd::Closed, begin, at_);
     if (region_ != MathRegion::DoubleDollars) return;
     const bool is_double = at_ < text_.size() && text_[at_] == '$';
@@ -89,6 +90,10 @@ class FormulaReader {
     while (at_ < text_.size() && is_letter(text_[at_])) ++at_;
     const std::string_view word = text_.substr(backslash + 1, at_ - backslash - 1);
     if (word.empty()) return read_symbol(backslash);
+    if (shortcut_ != nullptr && word == shortcut_->closer) return stop(BlockEnd::Closed, backslash, at_);
+    if (shortcut_ != nullptr && find_math_shortcut(word) != nullptr) {
+      return stop(BlockEnd::NextBegin, backslash, backslash);
+    }
     if (word == "verb") {
       at_ = static_cast<uint32_t>(end_of_verb(text_, at_));
     } else if (word == "begin") {
@@ -104,12 +109,12 @@ class FormulaReader {
       stop(BlockEnd::NextBegin, backslash, backslash);
     } else {
       const ControlWord& known = find_control_word(word);
-      if (known.meaning == WordMeaning::Text) begin_text();
+      if (known.meaning == WordMeaning::Text || known.meaning == WordMeaning::NothingWithGroup) begin_text();
       if (known.kind == TokenKind::Equals) note_relation();
     }
   }
 
-  /// A `$` in `\text{…}` is no end.
+  /// A `$` in `\text{…}` or `\tag{…}` is no end.
   void begin_text() {
     while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
     if (text_depth_ == 0 && at_ < text_.size() && text_[at_] == '{') text_depth_ = depth_ + 1;
@@ -122,8 +127,8 @@ class FormulaReader {
     if (is_line_end(symbol[1])) return;
     ++at_;
     if (text_depth_ > 0) return;
-    const bool is_dollar = region_ == MathRegion::Dollars || region_ == MathRegion::DoubleDollars;
-    if (!is_dollar && symbol == closer_of(region_)) return stop(BlockEnd::Closed, backslash, at_);
+    const bool ends_with_symbol = region_ == MathRegion::Brackets || region_ == MathRegion::Parentheses;
+    if (ends_with_symbol && symbol == closer_of(region_)) return stop(BlockEnd::Closed, backslash, at_);
     if (symbol == "\\[" || symbol == "\\(") stop(BlockEnd::NextBegin, backslash, backslash);
   }
 
@@ -156,6 +161,7 @@ class FormulaReader {
 
   std::string_view text_;
   MathRegion region_;
+  const MathShortcut* shortcut_;
   uint32_t at_;
   uint32_t depth_ = 0;
   uint32_t text_depth_ = 0;  // of the braces of a \text that is open; 0: none is
@@ -167,8 +173,8 @@ class FormulaReader {
 
 }  // namespace
 
-FormulaEnd find_formula_end(std::string_view text, uint32_t begin, MathRegion region) {
-  return FormulaReader(text, begin, region).run();
+FormulaEnd find_formula_end(std::string_view text, uint32_t begin, MathRegion region, const MathShortcut* shortcut) {
+  return FormulaReader(text, begin, region, shortcut).run();
 }
 
 }  // namespace texbrdf

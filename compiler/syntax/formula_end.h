@@ -25,7 +25,9 @@ struct FormulaEnd {
   bool has_relation = false;  ///< it may define something: a `=`, `\approx` … stands in no braces
 };
 
-/// `begin`: behind the opener. Linear in the formula, which a blank line ends at the latest.
-FormulaEnd find_formula_end(std::string_view text, uint32_t begin, MathRegion region);
+/// `begin`: behind the opener; `shortcut`: what that is where the region is one. Linear in the formula, which a blank
+/// line ends at the latest. Not for fences.
+FormulaEnd find_formula_end(std::string_view text, uint32_t begin, MathRegion region,
+                            const MathShortcut* shortcut = nullptr);
 
 }  // namespace texbrdf

@@ -1,13 +1,20 @@
 #include "syntax/lexer.h"
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "source/characters.h"
+#include "source/trimmed.h"
 #include "source/utf8.h"
 #include "syntax/control_words.h"
+#include "syntax/differentials.h"
 #include "syntax/math_regions.h"
+#include "syntax/open_environments.h"
+#include "syntax/remark.h"
 #include "syntax/verbatim.h"
 
 namespace texbrdf {
@@ -67,6 +74,23 @@ bool is_spacing_symbol(char c) {
   return c == ',' || c == ';' || c == ':' || c == '!' || c == '/' || class_of(c) == CharacterClass::Space;
 }
 
+/// Of notes that are typed, not written in LaTeX.
+struct UnicodeSymbol {
+  std::string_view character;
+  TokenKind kind;
+};
+constexpr auto kUnicode = std::to_array<UnicodeSymbol>({{"·", TokenKind::Multiply},
+                                                        {"⋅", TokenKind::Multiply},
+                                                        {"×", TokenKind::Cross},
+                                                        {"−", TokenKind::Minus},
+                                                        {"≈", TokenKind::Equals},
+                                                        {"≤", TokenKind::Relation},
+                                                        {"≥", TokenKind::Relation},
+                                                        {"≠", TokenKind::Relation}});
+
+constexpr size_t kShortestFunction = 2;
+constexpr size_t kLongestFunction = 6;
+
 /// Tokens on the stack while they are few, as nearly always.
 class TokenBuffer {
  public:
@@ -79,10 +103,12 @@ class TokenBuffer {
   void push(TokenKind kind, Command command, uint32_t begin, uint32_t end) {
     next_->kind = kind;
     next_->command = command;
-    next_->origin = 0;
     next_->span = {begin, end};
     ++next_;
   }
+  bool ends_with(TokenKind kind) const { return next_ != first_ && next_[-1].kind == kind; }
+  bool empty() const { return next_ == first_; }
+  const Token& last() const { return next_[-1]; }
   std::pmr::vector<Token> tokens(std::pmr::memory_resource* memory) const { return {first_, next_, memory}; }
 
  private:
@@ -109,8 +135,10 @@ class Lexer {
 
   LexedContent run(Span end) {
     while (!done()) lex_one();
-    push(TokenKind::End, end.begin, end.end);
-    return {buffer_.tokens(memory_), std::move(comments_)};
+    buffer_.push(TokenKind::End, Command::None, end.begin, end.end);
+    LexedContent content{buffer_.tokens(memory_), std::move(comments_)};
+    mark_differentials(text_, content.tokens);
+    return content;
   }
 
  private:
@@ -122,7 +150,16 @@ class Lexer {
     while (at(wanted)) ++at_;
   }
   void push(TokenKind kind, uint32_t begin, uint32_t end, Command command = Command::None) {
+    if (environments_.in_rows()) kind = kind_in_rows(kind, begin, end);
     buffer_.push(kind, command, begin, end);
+  }
+  TokenKind kind_in_rows(TokenKind kind, uint32_t begin, uint32_t end) {
+    const Span before = last_token().span;
+    return environments_.kind_in_rows(kind, text_.substr(begin, end - begin), last_token().kind,
+                                      text_.substr(before.begin, before.size()));
+  }
+  Token last_token() const {
+    return buffer_.empty() ? Token{.kind = TokenKind::End, .span = {at_, at_}} : buffer_.last();
   }
 
   void lex_one() {
@@ -132,17 +169,18 @@ class Lexer {
         ++at_;
         return;
       case CharacterClass::Letter:
-        skip(CharacterClass::Letter);
-        return push(TokenKind::Word, begin, at_);
+        skip_word();
+        return lex_word(begin);
       case CharacterClass::Digit:
         return lex_number();
       case CharacterClass::Dot:
-        return digit_follows(at_ + 1) ? lex_number() : lex_unknown();
+        if (digit_follows(at_ + 1)) return lex_number();
+        if (is_dot_between_names()) return push(TokenKind::Multiply, begin, ++at_);
+        return lex_unknown();
       case CharacterClass::Symbol:
         if (current() == '{' && lex_text_declaration()) return;
         ++at_;
-        if (closes_a_box(text_[begin])) return;
-        return push(symbol_kind(text_[begin]), begin, at_);
+        return lex_symbol(begin);
       case CharacterClass::Backslash:
         return lex_command();
       case CharacterClass::Percent:
@@ -154,14 +192,128 @@ class Lexer {
     }
   }
 
-  /// Counts braces; those of `\boxed{…}` are no tokens.
-  bool closes_a_box(char symbol) {
+  /// `cook\_torrance` is one.
+  void skip_word() {
+    skip(CharacterClass::Letter);
+    while (text_.substr(at_).starts_with("\\_") && is_letter_at(at_ + 2)) {
+      at_ += 2;
+      skip(CharacterClass::Letter);
+    }
+  }
+
+  /// `cos(x)`: a function whose backslash was forgotten.
+  void lex_word(uint32_t begin) {
+    const ControlWord& word = bare_function(text_.substr(begin, at_ - begin));
+    push(word.command == Command::None ? TokenKind::Word : word.kind, begin, at_, word.command);
+  }
+
+  /// The function that the letters before at_ name where an operand stands behind them.
+  const ControlWord& bare_function(std::string_view letters) const {
+    static constexpr ControlWord kNone;
+    if (letters.size() < kShortestFunction || letters.size() > kLongestFunction) return kNone;
+    const ControlWord& word = find_control_word(letters);
+    if (word.kind != TokenKind::Function && word.kind != TokenKind::Extremum) return kNone;
+    return reserves_word(word.command) && operand_follows(word.kind) ? word : kNone;
+  }
+
+  bool operand_follows(TokenKind function) const {
+    const uint32_t next = behind_spacing(at_);
+    if (next >= text_.size()) return false;
+    const char c = text_[next];
+    if (c == '(' || c == '[') return true;
+    const bool is_extremum = function == TokenKind::Extremum;
+    if (c != '\\') return !is_extremum && (c == '{' || c == '^' || is_letter_at(next) || digit_follows(next));
+    if (next + 1 < text_.size() && text_[next + 1] == '{') return true;
+    const ControlWord& word = find_control_word(letters_at(next + 1));
+    switch (word.meaning) {
+      case WordMeaning::Delimiter:
+        return word.spelling != "right" && word.spelling != "middle" && !word.spelling.ends_with('r');
+      case WordMeaning::Command:
+        return !is_extremum && (word.kind == TokenKind::Function || word.kind == TokenKind::Frac ||
+                                word.kind == TokenKind::Sqrt || word.kind == TokenKind::Extremum);
+      case WordMeaning::Name:
+      case WordMeaning::Vec:
+      case WordMeaning::Accent:
+      case WordMeaning::Text:
+        return !is_extremum && is_letter_at(next + 1);
+      case WordMeaning::Token:
+        return word.kind == TokenKind::OpenBracket || word.kind == TokenKind::OpenSet;
+      case WordMeaning::Nothing:
+      case WordMeaning::NothingWithGroup:
+      case WordMeaning::NothingWithBraces:
+      case WordMeaning::NothingWithScript:
+      case WordMeaning::TextDeclaration:
+      case WordMeaning::Environment:
+      case WordMeaning::EnvironmentEnd:
+      case WordMeaning::Verbatim:
+        return false;
+    }
+    return false;
+  }
+
+  std::string_view letters_at(uint32_t begin) const {
+    uint32_t end = begin;
+    while (is_letter_at(end)) ++end;
+    return text_.substr(begin, end - begin);
+  }
+
+  /// Spaces, and the commands that stand for them.
+  uint32_t behind_spacing(uint32_t at) const {
+    for (;;) {
+      at = behind_spaces(at);
+      const bool is_spacing = at + 1 < text_.size() && text_[at] == '\\' && is_spacing_symbol(text_[at + 1]);
+      if (!is_spacing) return at;
+      at += 2;
+    }
+  }
+
+  void lex_symbol(uint32_t begin) {
+    const char symbol = text_[begin];
     if (symbol == '{') ++open_braces_;
-    if (symbol != '}' || open_braces_ == 0) return false;
-    const bool is_box = !boxes_.empty() && boxes_.back() == open_braces_;
-    if (is_box) boxes_.pop_back();
-    --open_braces_;
-    return is_box;
+    const bool closes = symbol == '}' && open_braces_ > 0;
+    const bool closes_box = closes && takes_innermost(boxes_);
+    const bool closes_labelled = closes && takes_innermost(labelled_);
+    const bool closes_numerator = closes && takes_innermost(numerators_);
+    if (closes) --open_braces_;
+    if (!closes_box) push(symbol_kind(symbol), begin, at_);
+    if (closes_labelled) skip_label();
+    if (closes_numerator) lex_digit();
+  }
+
+  /// Of groups, by how many braces are open in them; the innermost is no more.
+  bool takes_innermost(std::vector<uint32_t>& groups) const {
+    if (groups.empty() || groups.back() != open_braces_) return false;
+    groups.pop_back();
+    return true;
+  }
+
+  /// `\underbrace{…}_{\text{sheen}}`
+  void skip_label() {
+    const uint32_t script = behind_spaces(at_);
+    if (script >= text_.size() || (text_[script] != '_' && text_[script] != '^')) return;
+    const uint32_t behind_group = std::exchange(at_, script + 1);
+    at_ = end_of_group().value_or(behind_group);
+  }
+
+  /// `\mathop{max}`, `\mathop{\rm max}`, where the group holds nothing but a word.
+  bool lex_named_operator(uint32_t begin) {
+    const std::optional<uint32_t> end = end_of_group();
+    if (!end) return false;
+    std::string_view content = trimmed(group_up_to(*end), " \t\r\n{}");
+    if (content.starts_with('\\')) {
+      const size_t behind_font = content.find_first_of(" {", 1);
+      if (behind_font == std::string_view::npos) return false;
+      content = trimmed(content.substr(behind_font), " \t\r\n{}");
+    }
+    if (content.empty() || !std::ranges::all_of(content, is_letter)) return false;
+    const uint32_t behind_word = std::exchange(at_, *end);
+    const ControlWord& function = bare_function(content);
+    if (function.command != Command::None) {
+      push(function.kind, begin, at_, function.command);
+      return true;
+    }
+    at_ = behind_word;
+    return false;
   }
 
   void open_box() {
@@ -215,6 +367,16 @@ class Lexer {
     push(TokenKind::Number, begin, at_);
   }
 
+  /// `N.L`, `\mathbf{v}.\mathbf{x}`
+  bool is_dot_between_names() const {
+    if (at_ == 0 || !is_letter_or_brace(text_[at_ - 1])) return false;
+    if (is_letter_at(at_ + 1)) return true;
+    if (at_ + 1 >= text_.size() || text_[at_ + 1] != '\\' || !is_letter_at(at_ + 2)) return false;
+    const WordMeaning meaning = find_control_word(letters_at(at_ + 2)).meaning;
+    return meaning == WordMeaning::Name || meaning == WordMeaning::Vec;
+  }
+  static bool is_letter_or_brace(char c) { return class_of(c) == CharacterClass::Letter || c == '}'; }
+
   void lex_unknown() {
     const uint32_t begin = at_;
     if (text_.substr(at_).starts_with(":=")) {
@@ -222,7 +384,10 @@ class Lexer {
       return push(TokenKind::Equals, begin, at_);
     }
     at_ += code_point_at_front(text_.substr(at_)).size;
-    push(TokenKind::Unknown, begin, at_);
+    const auto character = std::ranges::find(kUnicode, text_.substr(begin, at_ - begin), &UnicodeSymbol::character);
+    if (character != kUnicode.end()) return push(character->kind, begin, at_);
+    const bool is_text_mode_column = text_[begin] == '$' && environments_.in_cases();
+    if (!is_text_mode_column) push(TokenKind::Unknown, begin, at_);
   }
 
   void skip_comment() {
@@ -238,8 +403,11 @@ class Lexer {
       case WordMeaning::Name:
       case WordMeaning::Command:
       case WordMeaning::Token:
+        if (begins_difference(begin)) return push(TokenKind::Accent, begin, at_);
+        if (word.kind == TokenKind::OpenSet && rows_follow()) return;
         push(word.kind, begin, at_, word.command);
-        if (word.kind == TokenKind::Frac) lex_digit_arguments();
+        if (word.kind == TokenKind::Frac) lex_short_arguments();
+        if (word.kind == TokenKind::Sqrt) lex_digit();
         return;
       case WordMeaning::Vec:
       case WordMeaning::Accent:
@@ -251,7 +419,12 @@ class Lexer {
       case WordMeaning::NothingWithGroup:
         return skip_meaningless_group();
       case WordMeaning::NothingWithBraces:
-        return open_box();
+        if (word.spelling != "mathop" || !lex_named_operator(begin)) open_box();
+        return;
+      case WordMeaning::NothingWithScript:
+        if (behind_spaces(at_) < text_.size() && text_[behind_spaces(at_)] == '{')
+          labelled_.push_back(open_braces_ + 1);
+        return;
       case WordMeaning::Delimiter:
         return lex_delimiter();
       case WordMeaning::Text:
@@ -266,6 +439,16 @@ class Lexer {
     }
   }
 
+  /// `\Delta\phi`, which papers define as a name.
+  bool begins_difference(uint32_t begin) const {
+    if (text_.substr(begin, at_ - begin) != "\\Delta" || buffer_.ends_with(TokenKind::Underscore)) return false;
+    const uint32_t next = behind_spaces(at_);
+    if (is_letter_at(next)) return true;
+    if (next >= text_.size() || text_[next] != '\\') return false;
+    const WordMeaning meaning = find_control_word(letters_at(next + 1)).meaning;
+    return is_letter_at(next + 1) && (meaning == WordMeaning::Name || meaning == WordMeaning::Vec);
+  }
+
   /// A backslash and what is no letter.
   void lex_control_symbol(uint32_t begin) {
     if (done()) return push(TokenKind::Unknown, begin, at_);
@@ -277,6 +460,7 @@ class Lexer {
       if (at('[')) skip_line_distance();
       return push(TokenKind::NewRow, begin, at_);
     }
+    if (symbol == '{' && rows_follow()) return;
     if (symbol == '{') return push(TokenKind::OpenSet, begin, at_);
     if (symbol == '}') return push(TokenKind::CloseSet, begin, at_);
     if (symbol == '|') return push(TokenKind::DoubleBar, begin, at_);
@@ -316,7 +500,48 @@ class Lexer {
     const uint32_t argument = behind_spaces(at_);
     if (!end && is_letter_at(argument)) end = argument + 1;
     at_ = end.value_or(behind_word);
-    push(end ? TokenKind::Text : TokenKind::Unknown, begin, at_);
+    if (!end) return push(TokenKind::Unknown, begin, at_);
+    if (environments_.in_cases() && lex_remark(begin)) return;
+    push_text(begin, text_.substr(argument, at_ - argument));
+  }
+
+  /// `\operatorname{sin}\theta` is `\sin\theta`; in a subscript it is a text as any other.
+  void push_text(uint32_t begin, std::string_view content) {
+    const bool is_subscript = buffer_.ends_with(TokenKind::Underscore);
+    const ControlWord& word = bare_function(is_subscript ? "" : trimmed(content, " \t\r\n{}"));
+    push(word.command == Command::None ? TokenKind::Text : word.kind, begin, at_, word.command);
+  }
+
+  /// `\text{otherwise}`, or `\text{if $x > 0$}`, which is remarks with mathematics in between; it ends at at_.
+  bool lex_remark(uint32_t begin) {
+    const uint32_t end = at_;
+    const TokenKind before = last_token().kind;
+    if (before == TokenKind::Underscore || before == TokenKind::Caret) return false;
+    const std::string_view whole = std::exchange(text_, text_.substr(0, end));
+    const bool holds_formula = text_.find('$', begin) != std::string_view::npos;
+    const RemarkKind kind = read_remark(text_.substr(begin));
+    const bool is_name =
+        kind == RemarkKind::Unknown || (kind == RemarkKind::Nothing && !holds_words(text_.substr(begin)));
+    const bool is_remark = holds_formula || !is_name;
+    if (is_remark) lex_remark_parts(begin);
+    text_ = whole;
+    at_ = end;
+    return is_remark;
+  }
+
+  void lex_remark_parts(uint32_t begin) {
+    const auto end = static_cast<uint32_t>(text_.size());
+    for (uint32_t from = begin; from < end;) {
+      const auto words_end = static_cast<uint32_t>(std::min<size_t>(text_.find('$', from), end));
+      if (words_end > from) push(TokenKind::Remark, from, words_end);
+      if (words_end == end) return;
+      const auto formula_end = static_cast<uint32_t>(std::min<size_t>(text_.find('$', words_end + 1), end - 1));
+      at_ = words_end + 1;
+      const std::string_view remark = std::exchange(text_, text_.substr(0, formula_end));
+      while (!done()) lex_one();
+      text_ = remark;
+      from = text_[formula_end] == '$' ? formula_end + 1 : formula_end;
+    }
   }
 
   /// `{\rm …}` around nothing but characters; at_ is the brace.
@@ -330,8 +555,8 @@ class Lexer {
     }
     const size_t close = text_.find_first_of("{}\\%", end);
     if (close == std::string_view::npos || text_[close] != '}' || behind_spaces(end) == close) return false;
-    push(TokenKind::Text, at_, static_cast<uint32_t>(close) + 1);
-    at_ = static_cast<uint32_t>(close) + 1;
+    const uint32_t begin = std::exchange(at_, static_cast<uint32_t>(close) + 1);
+    if (!environments_.in_cases() || !lex_remark(begin)) push_text(begin, text_.substr(end, close - end));
     return true;
   }
 
@@ -343,14 +568,27 @@ class Lexer {
     at_ = letter + 1;
   }
 
-  /// `\frac12` is a half.
-  void lex_digit_arguments() {
+  /// `\frac12` is a half, and `\frac hb` is h/b. Longer words are no two arguments that anybody would write so.
+  void lex_short_arguments() {
     for (int argument = 0; argument < 2; ++argument) {
-      const uint32_t digit = behind_spaces(at_);
-      if (!digit_follows(digit)) return;
-      push(TokenKind::Number, digit, digit + 1);
-      at_ = digit + 1;
+      const uint32_t symbol = behind_spaces(at_);
+      const bool is_letter = is_letter_at(symbol) && (argument == 1 || !is_letter_at(symbol + 2));
+      if (!is_letter && !digit_follows(symbol)) return note_numerator(symbol);
+      push(is_letter ? TokenKind::Word : TokenKind::Number, symbol, symbol + 1);
+      at_ = symbol + 1;
     }
+  }
+
+  void note_numerator(uint32_t opener) {
+    if (opener < text_.size() && text_[opener] == '{') numerators_.push_back(open_braces_ + 1);
+  }
+
+  /// `\sqrt 2`, `\frac{1}2`: an argument is one digit.
+  void lex_digit() {
+    const uint32_t digit = behind_spaces(at_);
+    if (!digit_follows(digit)) return;
+    push(TokenKind::Number, digit, digit + 1);
+    at_ = digit + 1;
   }
 
   bool is_letter_at(uint32_t at) const { return at < text_.size() && class_of(text_[at]) == CharacterClass::Letter; }
@@ -405,20 +643,63 @@ class Lexer {
     const std::string_view group = group_up_to(*name_end);
     if (const MathEnvironment* environment = find_math_environment(name_in(group))) {
       at_ = *name_end;
-      if (environment->has_columns) ++columns_;
-      return skip_environment_argument(*environment);
+      return open_environment(*environment, begin);
     }
     const uint32_t unclosed_end = is_raw_environment(name_in(group)) ? static_cast<uint32_t>(text_.size()) : *name_end;
     at_ = end_of_environment(group, *name_end).value_or(unclosed_end);
     if (group != "{comment}") push(TokenKind::Unknown, begin, at_);
   }
 
+  void open_environment(const MathEnvironment& environment, uint32_t begin) {
+    const uint32_t end = at_;
+    const bool is_behind_brace = std::exchange(is_behind_brace_, false);
+    if (environment.is_operand() || is_behind_brace) {
+      const bool is_cases = is_behind_brace || environment.role == MathEnvironment::Role::Cases;
+      push(is_cases ? TokenKind::OpenCases : TokenKind::OpenMatrix, begin, end);
+    } else if (environment.has_columns) {
+      ++columns_;
+    }
+    environments_.open(environment, is_behind_brace);
+    skip_environment_argument(environment);
+  }
+
   void lex_environment_end(uint32_t begin) {
     const std::optional<uint32_t> name_end = end_of_group();
     const MathEnvironment* environment = name_end ? find_math_environment(name_in(group_up_to(*name_end))) : nullptr;
-    if (environment == nullptr) return push(TokenKind::Macro, begin, at_);
+    const std::optional<OpenEnvironments::Entry> closed =
+        name_end ? environments_.close(environment) : std::optional<OpenEnvironments::Entry>();
+    if (environment == nullptr && !closed) return push(TokenKind::Macro, begin, at_);
     at_ = *name_end;
+    if (closed && closed->is_operand()) return close_rows(*closed, begin);
+    if (environment->is_operand()) return push(closer_of_stray(*environment), begin, at_);
     if (environment->has_columns && columns_ > 0) --columns_;
+  }
+
+  static TokenKind closer_of_stray(const MathEnvironment& environment) {
+    return environment.role == MathEnvironment::Role::Cases ? TokenKind::CloseCases : TokenKind::CloseMatrix;
+  }
+
+  void close_rows(const OpenEnvironments::Entry& rows, uint32_t begin) {
+    push(rows.closer(), begin, at_);
+    if (!rows.is_behind_brace) return;
+    const uint32_t behind = behind_spaces(at_);
+    for (const std::string_view brace : {"\\right\\}", "\\right\\rbrace", "\\}"}) {
+      if (text_.substr(behind).starts_with(brace)) at_ = behind + static_cast<uint32_t>(brace.size());
+    }
+  }
+
+  /// `\{` before an array is no bracket: the rows are cases.
+  bool rows_follow() {
+    constexpr std::string_view kBegin = "\\begin{";
+    const std::string_view rest = text_.substr(behind_spaces(at_));
+    if (!rest.starts_with(kBegin)) return false;
+    constexpr size_t kLongestName = 16;
+    const std::string_view name = rest.substr(kBegin.size(), kLongestName);
+    const MathEnvironment* const environment = find_math_environment(name.substr(0, name.find('}')));
+    const bool is_open = environment != nullptr && environment->role != MathEnvironment::Role::Display &&
+                         environment->role != MathEnvironment::Role::Cases;
+    is_behind_brace_ = is_behind_brace_ || is_open;
+    return is_open;
   }
 
   std::string_view group_up_to(uint32_t end) const {
@@ -429,7 +710,7 @@ class Lexer {
 
   /// `{2}` of alignedat, `[t]` of aligned.
   void skip_environment_argument(const MathEnvironment& environment) {
-    if (at('[')) skip_line_distance();
+    if (at('[') && environment.role != MathEnvironment::Role::Cases) skip_line_distance();
     if (environment.has_argument) at_ = end_of_group().value_or(at_);
   }
 
@@ -448,10 +729,15 @@ class Lexer {
   std::string_view text_;
   uint32_t at_;
   uint32_t columns_;  // open environments in which `&` separates columns
+  OpenEnvironments environments_;
+  bool is_behind_brace_ = false;  // the next \begin is
   std::pmr::memory_resource* memory_;
   TokenBuffer buffer_;
   uint32_t open_braces_ = 0;
-  std::vector<uint32_t> boxes_;  // how many braces were open with the one of a box
+  // How many braces were open with the one of a box, of a group with a label, or of a numerator.
+  std::vector<uint32_t> boxes_;
+  std::vector<uint32_t> labelled_;
+  std::vector<uint32_t> numerators_;
   std::pmr::vector<Span> comments_;
   // Once one search has met the end in vain the block is broken; searching again and again would not be linear.
   bool an_open_group_was_met_ = false;

@@ -30,10 +30,14 @@ constexpr std::array<TokenRole, 256> make_token_roles() {
 #include "syntax/operators.def"
 #undef INFIX
 #undef PREFIX
-  for (const TokenKind kind :
-       {TokenKind::Number, TokenKind::Word, TokenKind::Macro, TokenKind::Text, TokenKind::Vec, TokenKind::Accent,
-        TokenKind::Function, TokenKind::Extremum, TokenKind::Frac, TokenKind::Sqrt, TokenKind::OpenParen,
-        TokenKind::OpenBrace, TokenKind::OpenBracket, TokenKind::OpenSet, TokenKind::OpenAngle}) {
+  for (const TokenKind kind : {TokenKind::Number,        TokenKind::Word,         TokenKind::Macro,
+                               TokenKind::Text,          TokenKind::Vec,          TokenKind::Accent,
+                               TokenKind::Function,      TokenKind::Extremum,     TokenKind::Frac,
+                               TokenKind::Sqrt,          TokenKind::OpenParen,    TokenKind::OpenBrace,
+                               TokenKind::OpenBracket,   TokenKind::OpenSet,      TokenKind::OpenAngle,
+                               TokenKind::OpenCases,     TokenKind::OpenMatrix,   TokenKind::BigOperator,
+                               TokenKind::Integral,      TokenKind::OpenIntegral, TokenKind::DifferentialFactor,
+                               TokenKind::DerivativeFrac}) {
     roles[static_cast<size_t>(kind)].begins_operand = true;
   }
   return roles;

@@ -1,63 +1,21 @@
 #include <algorithm>
+#include <array>
 
 #include "syntax/parser.h"
 
 namespace texbrdf {
 namespace {
 
+constexpr auto kSubscripts = std::to_array<TokenKind>(
+    {TokenKind::Number, TokenKind::Word, TokenKind::Macro, TokenKind::Text, TokenKind::Function, TokenKind::Extremum,
+     TokenKind::Plus, TokenKind::Minus, TokenKind::Multiply, TokenKind::Cross});
+
 bool is_subscript_token(TokenKind kind) {
-  switch (kind) {
-    case TokenKind::Number:
-    case TokenKind::Word:
-    case TokenKind::Macro:
-    case TokenKind::Text:
-    case TokenKind::Function:
-    case TokenKind::Extremum:
-    case TokenKind::Plus:
-    case TokenKind::Minus:
-    case TokenKind::Multiply:
-    case TokenKind::Cross:
-      return true;
-    case TokenKind::Vec:
-    case TokenKind::Accent:
-    case TokenKind::Prime:
-    case TokenKind::Frac:
-    case TokenKind::Sqrt:
-    case TokenKind::Divide:
-    case TokenKind::Caret:
-    case TokenKind::Underscore:
-    case TokenKind::Equals:
-    case TokenKind::Comma:
-    case TokenKind::OpenParen:
-    case TokenKind::CloseParen:
-    case TokenKind::OpenBrace:
-    case TokenKind::CloseBrace:
-    case TokenKind::OpenBracket:
-    case TokenKind::CloseBracket:
-    case TokenKind::OpenSet:
-    case TokenKind::OpenAngle:
-    case TokenKind::CloseAngle:
-    case TokenKind::Bar:
-    case TokenKind::DoubleBar:
-    case TokenKind::Over:
-    case TokenKind::CloseSet:
-    case TokenKind::Relation:
-    case TokenKind::Ampersand:
-    case TokenKind::Gap:
-    case TokenKind::NewRow:
-    case TokenKind::Unknown:
-    case TokenKind::End:
-      return false;
-  }
-  return false;
+  return std::ranges::find(kSubscripts, kind) != kSubscripts.end();
 }
 
 bool is_plain_name(TokenKind kind) {
   return kind == TokenKind::Word || kind == TokenKind::Macro || kind == TokenKind::Text;
-}
-
-bool is_decoration(TokenKind kind) {
-  return kind == TokenKind::Vec || kind == TokenKind::Accent;
 }
 
 }  // namespace
@@ -75,24 +33,50 @@ Parser::Part Parser::parse_bare_name() {
 
 Parser::Part Parser::name_leaf(uint32_t first, bool readable) {
   uint32_t end = position_;
-  while (end > first + 1 && is_layout(tokens_[end - 1].kind)) --end;
+  while (end > first + 1 && means_nothing_at_end(tokens_[end - 1].kind)) --end;
   return leaf(readable ? NodeKind::Name : NodeKind::Error, first, std::max(end, first + 1));
 }
 
 Parser::Part Parser::parse_name_or_call() {
-  const uint32_t first = position_;
-  const Part name = parse_name_leaf();
+  return parse_call(parse_name_leaf());
+}
+
+/// The arguments behind the name, if there are some.
+Parser::Part Parser::parse_call(const Part& name) {
+  if (block_.is_power_of_call(position_)) return parse_power_of_call(name);
   if (!block_.opens_arguments(position_)) return name;
   const uint32_t opener = advance();
   list_.push_back(name);
-  return parse_list(NodeKind::Apply, opener, first, opener);
+  return parse_list(NodeKind::Apply, opener, first_token(name), opener);
+}
+
+/// `\langle E\rangle`
+Parser::Part Parser::parse_angled_name() {
+  const uint32_t opener = advance();
+  const bool readable = parse_name();
+  const bool closed = close(opener);
+  return name_leaf(opener, readable && closed);
+}
+
+/// `a^2(x)`, the square of a call.
+Parser::Part Parser::parse_power_of_call(const Part& name) {
+  const uint32_t caret = position_;
+  const Part exponent = parse_function_power();
+  if (!at(TokenKind::OpenParen)) return make(NodeKind::Infix, caret, first_token(name), {name, exponent});
+  const uint32_t opener = advance();
+  list_.push_back(name);
+  const Part call = parse_list(NodeKind::Apply, opener, first_token(name), opener);
+  return make(NodeKind::Infix, caret, first_token(name), {call, exponent});
 }
 
 bool Parser::parse_name() {
+  const uint32_t first = position_;
   const bool base = parse_name_base();
   parse_primes();
   const bool subscripts = parse_subscripts();
   parse_primes();
+  parse_label();
+  parse_plus(first);
   return subscripts && base;
 }
 
@@ -167,6 +151,33 @@ bool Parser::primes_begin() const {
   do ++token;
   while (tokens_[token].kind == TokenKind::Prime);
   return token > position_ + 2 && tokens_[token].kind == TokenKind::CloseBrace;
+}
+
+/// `^{(1)}` in front of arguments: part of the name, as papers number the terms of a series.
+void Parser::parse_label() {
+  constexpr uint32_t kLength = 5;
+  if (position_ + kLength >= end_) return;
+  const auto is = [this](uint32_t behind, TokenKind kind) { return tokens_[position_ + behind].kind == kind; };
+  const bool has_content = is(3, TokenKind::Number) || is(3, TokenKind::Word) || is(3, TokenKind::Text);
+  const bool is_label = has_content && is(0, TokenKind::Caret) && is(1, TokenKind::OpenBrace) &&
+                        is(2, TokenKind::OpenParen) && is(4, TokenKind::CloseParen) && is(5, TokenKind::CloseBrace);
+  if (!is_label || kind_behind(position_ + kLength) != TokenKind::OpenParen) return;
+  continue_after(position_ + kLength);
+}
+
+/// Behind `^+` or `^{+}`, also with `_`; the caret itself where no plus stands above it.
+uint32_t Parser::behind_plus(uint32_t caret) const {
+  if (kind_at(caret + 1) == TokenKind::Plus) return caret + 2;
+  const bool is_braced = kind_at(caret + 1) == TokenKind::OpenBrace && kind_at(caret + 2) == TokenKind::Plus &&
+                         kind_at(caret + 3) == TokenKind::CloseBrace;
+  return is_braced ? caret + 4 : caret;
+}
+
+/// The plus of `\chi^+`, the step function, belongs to its name.
+void Parser::parse_plus(uint32_t base) {
+  if (!at(TokenKind::Caret) || position_ != base + 1 || block_.token_text(base) != "\\chi") return;
+  const uint32_t behind = behind_plus(position_);
+  if (behind != position_) continue_after(behind - 1);
 }
 
 /// `{\bf n}`, `{\mathbf{n}}` or `{\hat n_i}`: braces around one decorated name and nothing else. Around a `\vec` they

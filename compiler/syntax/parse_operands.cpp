@@ -22,7 +22,7 @@ bool is_minus_one(const ParsedBlock& block, NodeId exponent) {
 Parser::Part Parser::parse_inside(TokenKind bar) {
   const TokenKind open_bar = std::exchange(open_bar_, bar);
   const uint32_t first = position_;
-  Part inner = parse_expression(0);
+  Part inner = in_condition_ ? parse_condition(ConditionPlace::Brackets) : parse_expression(0);
   if (at(TokenKind::Over)) {
     const uint32_t over = advance();
     recovering_ = false;
@@ -133,19 +133,29 @@ bool Parser::close(uint32_t opener) {
   return false;
 }
 
-/// `\cos x`, `\cos^2 x`, `\cos^{-1} x`.
+/// `\cos x`, `\cos^2 x`, `\cos^{-1} x`, `\log_2 x`.
 Parser::Part Parser::parse_function() {
   const uint32_t command = advance();
+  report_bare_function(command);
+  const bool has_base = at(TokenKind::Underscore) && takes_base(tokens_[command].command);
+  Part base;
+  if (has_base) {
+    const uint32_t underscore = advance();
+    base = parse_braced(underscore);
+  }
   const uint32_t caret = position_;
   const bool has_power = at(TokenKind::Caret);
   Part exponent;
   if (has_power) exponent = parse_function_power();
   const bool is_inverse = has_power && !exponent.damaged && is_minus_one(block_, exponent.node);
-  if (is_inverse && inverse_of(tokens_[command].command) == Command::None) report_no_inverse(command, caret);
+  if (is_inverse && (has_base || inverse_of(tokens_[command].command) == Command::None))
+    report_no_inverse(command, caret);
 
   FunctionOperand read;
   const Part operand = parse_function_operand(false, read);
-  const Part function = make(is_inverse ? NodeKind::Inverse : NodeKind::Function, command, command, {operand});
+  const NodeKind function_kind = is_inverse ? NodeKind::Inverse : NodeKind::Function;
+  const Part function = has_base ? make(function_kind, command, command, {operand, base})
+                                 : make(function_kind, command, command, {operand});
   if (!function.damaged) report_reading(function, read);
   if (!has_power || is_inverse) return function;
   return make(NodeKind::Infix, caret, command, {function, exponent});
@@ -186,6 +196,7 @@ Parser::Part Parser::parse_first_factor(bool behind_sign, FunctionOperand& read)
   const bool in_brackets = is_opener(kind());
   Part operand = parse_primary();
   if (in_brackets && !behind_sign) return operand;
+  if (degrees_begin()) return parse_degrees(operand);
   if (at(TokenKind::Caret)) {
     read.power = advance();
     recovering_ = false;
@@ -217,6 +228,7 @@ bool Parser::continues_function_operand() const {
 
 Parser::Part Parser::parse_extremum() {
   const uint32_t command = advance();
+  report_bare_function(command);
   if (!is_opener(kind())) {
     report(Code::MissingGroup, position_, {"(", shown(command, command + 1), describe(position_)});
     return make(NodeKind::Error, command, command, {});

@@ -1,7 +1,12 @@
 #include "syntax/parsed_block.h"
 
+#include <utility>
+
+#include "syntax/control_words.h"
+#include "syntax/cut_tokens.h"
 #include "syntax/lexer.h"
 #include "syntax/parser.h"
+#include "syntax/split_subscripts.h"
 
 namespace texbrdf {
 namespace {
@@ -17,6 +22,9 @@ std::string_view environment_of(const ParsedBlock& block) {
 }
 
 bool has_columns(const ParsedBlock& block) {
+  if (block.extent.region == MathRegion::Shortcut) {
+    return find_math_shortcut(block.slice(block.extent.begin).substr(1))->has_columns;
+  }
   if (block.extent.region != MathRegion::Environment) return false;
   const MathEnvironment* const environment = find_math_environment(environment_of(block));
   return environment != nullptr && environment->has_columns;
@@ -43,6 +51,7 @@ void report_missing_end(ParsedBlock& block) {
 }  // namespace
 
 std::string begin_of_block(const ParsedBlock& block) {
+  if (block.extent.region == MathRegion::Fence) return std::string(opener_of(MathRegion::Fence));
   return std::string(block.slice(block.extent.begin));
 }
 
@@ -51,23 +60,35 @@ std::string end_of_block(const ParsedBlock& block) {
   return "\\end{" + std::string(environment_of(block)) + "}";
 }
 
+NodeId ParsedBlock::parameter_name(NodeId parameter) const {
+  if (tree.node(parameter).kind == NodeKind::Name) return parameter;
+  const bool is_function = tree.node(parameter).kind == NodeKind::Function;
+  if (!is_function || !is_trigonometric(tokens[tree.node(parameter).token].command)) return {};
+  NodeId angle = tree.child(parameter, 0);
+  while (tree.node(angle).kind == NodeKind::Group) angle = tree.child(angle, 0);
+  return tree.node(angle).kind == NodeKind::Name ? angle : NodeId{};
+}
+
 ParsedBlock parse_block(std::string_view text, const BlockExtent& extent, std::pmr::memory_resource* memory,
-                        std::span<const uint32_t> factors) {
+                        Reading reading, std::shared_ptr<const MacroExpansion> expansion) {
   ParsedBlock block(memory);
-  block.factors.assign(factors.begin(), factors.end());
-  block.text = text;
-  block.extent = extent;
+  block.reading = std::move(reading);
+  block.expansion = std::move(expansion);
+  block.text = block.expansion ? std::string_view(block.expansion->text()) : text;
+  block.extent = block.expansion ? block.expansion->extent() : extent;
   const bool closed = extent.ended_by == BlockEnd::Closed;
-  if (text.size() > kMaxBlockBytes) {
-    block.tokens.push_back({.kind = TokenKind::End, .span = extent.end});
+  if (block.text.size() > kMaxBlockBytes) {
+    block.tokens.push_back({.kind = TokenKind::End, .span = block.extent.end});
     if (closed) {
       block.diagnostics.push_back(
           make_diagnostic(Code::BlockTooLong, at_begin(block), {std::to_string(kMaxBlockBytes)}));
     }
   } else {
-    LexedContent content = lex(block.text, extent.content, has_columns(block), extent.end, memory);
+    LexedContent content = lex(block.text, block.extent.content, has_columns(block), block.extent.end, memory);
     block.tokens = std::move(content.tokens);
+    if (!block.reading.cuts.empty()) cut_tokens(block.tokens, block.reading.cuts);
     block.comments = std::move(content.comments);
+    split_subscripts(block.tokens);
     Parser(block, !closed).run();
   }
   if (!closed) report_missing_end(block);

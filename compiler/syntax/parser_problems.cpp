@@ -1,8 +1,10 @@
 #include <algorithm>
 
 #include "source/utf8.h"
+#include "syntax/control_words.h"
 #include "syntax/operators.h"
 #include "syntax/parser.h"
+#include "syntax/relations.h"
 
 namespace texbrdf {
 namespace {
@@ -30,15 +32,22 @@ std::string quote(std::string_view text) {
   return printable(line);
 }
 
+/// The `\end{cases}` of `\begin{cases}`.
+std::string end_of_environment(std::string_view begin) {
+  return "\\end" + std::string(begin.substr(std::min(begin.find('{'), begin.size())));
+}
+
 std::string hexadecimal(unsigned char byte) {
   constexpr std::string_view kDigits = "0123456789ABCDEF";
   return {'0', 'x', kDigits[byte >> 4], kDigits[byte & 15]};
 }
 
-std::string_view closer_text(TokenKind opener) {
+/// `text` is the opener's.
+std::string closer_text(TokenKind opener, std::string_view text) {
   if (opener == TokenKind::OpenParen) return ")";
   if (opener == TokenKind::OpenSet) return "\\}";
   if (opener == TokenKind::OpenAngle) return "\\rangle";
+  if (opener == TokenKind::OpenCases || opener == TokenKind::OpenMatrix) return end_of_environment(text);
   return opener == TokenKind::OpenBrace ? "}" : "]";
 }
 
@@ -67,6 +76,12 @@ Diagnostic* Parser::report(Code code, uint32_t token, Span where, std::vector<st
   return &block_.diagnostics.emplace_back(make_diagnostic(code, at_span(where), std::move(arguments)));
 }
 
+void Parser::report_square(const LeftSide& left, uint32_t equals) {
+  if (silent_) return;
+  const Span square = join(tokens_[left.first_token].span, tokens_[last_before(equals)].span);
+  block_.diagnostics.push_back(make_diagnostic(Code::SquareDefined, at_span(square), {}));
+}
+
 void Parser::report_expected(Code code) {
   report(code, position_, {describe(position_)});
 }
@@ -74,7 +89,10 @@ void Parser::report_expected(Code code) {
 void Parser::report_unknown() {
   const std::string_view text = block_.token_text(position_);
   const Span span = tokens_[position_].span;
-  if (text.starts_with("\\begin")) {
+  const MacroProblem* const macro = block_.expansion ? block_.expansion->problem_at(span.begin) : nullptr;
+  if (macro != nullptr) {
+    report(macro->code, position_, macro->arguments);
+  } else if (text.starts_with("\\begin")) {
     const size_t close = text.find('}');
     const uint32_t size = close == std::string_view::npos ? span.size() : static_cast<uint32_t>(close) + 1;
     const size_t open = std::min(text.find('{'), text.size() - 1);
@@ -117,7 +135,7 @@ void Parser::report_brackets() {
 
   for (const UnclosedBracket& bracket : faults_.unclosed) {
     const Token& opener = tokens_[bracket.opener];
-    const std::string closer(closer_text(opener.kind));
+    const std::string closer = closer_text(opener.kind, block_.slice(opener.span));
     const Token& found = tokens_[bracket.found];
     Diagnostic& diagnostic = block_.diagnostics.emplace_back(
         make_diagnostic(Code::UnclosedBracket, at_span(opener.span), {std::string(block_.slice(opener.span))}));
@@ -142,6 +160,38 @@ void Parser::report_ampersands() {
         block_.diagnostics.emplace_back(make_diagnostic(Code::IgnoredAmpersand, at_span(token.span)));
     diagnostic.fixes.push_back({"remove `&`", {{at_span(token.span), ""}}});
   }
+}
+
+/// `\sqrt 42`, where TeX takes the first digit, or `4 2`.
+void Parser::report_number_behind_number(const Part& left) {
+  const uint32_t second = position_;
+  const SyntaxTree& tree = block_.tree;
+  NodeId last = left.node;
+  while (tree.node(last).kind == NodeKind::Juxtaposition || tree.node(last).kind == NodeKind::Infix) {
+    last = tree.child(last, 1);
+  }
+  const Node& node = tree.node(last);
+  if (node.kind != NodeKind::Root && node.kind != NodeKind::Fraction) return report_missing_operator(second);
+  const Span digit = tokens_[second - 1].span;
+  const Span rest = tokens_[second].span;
+  if (digit.end != rest.begin || is_silent_at(second)) return;
+  const std::string number = "{" + std::string(block_.slice(join(digit, rest))) + "}";
+  const std::string whole = std::string(block_.slice({tokens_[node.token].span.begin, digit.begin})) + number;
+  Diagnostic& diagnostic = block_.diagnostics.emplace_back(
+      make_diagnostic(Code::OneDigitArgument, at_span(rest),
+                      {std::string(block_.token_text(node.token)), std::string(block_.slice(digit)), quote(whole)}));
+  diagnostic.fixes.push_back({"put the number in braces", {{at_span(join(digit, rest)), number}}});
+}
+
+/// Rows multiply where the second begins with an operand.
+void Parser::report_row_without_operator() {
+  if (is_silent_at(position_)) return;
+  uint32_t token = position_;
+  while (token > 0 && is_layout(tokens_[token - 1].kind) && tokens_[token - 1].kind != TokenKind::NewRow) --token;
+  if (token == 0 || tokens_[token - 1].kind != TokenKind::NewRow) return;
+  const Span first = tokens_[position_].span;
+  Diagnostic& diagnostic = block_.diagnostics.emplace_back(make_diagnostic(Code::RowIsFactor, at_span(first)));
+  diagnostic.fixes.push_back({"insert `\\cdot`", {{at_span({first.begin, first.begin}), "\\cdot "}}});
 }
 
 void Parser::report_missing_operator(uint32_t second) {
@@ -189,6 +239,15 @@ void Parser::report_reading(const Part& function, const FunctionOperand& read) {
   }
 }
 
+void Parser::report_bare_function(uint32_t command) {
+  const std::string text(block_.token_text(command));
+  const std::string_view spelling = command_spelling(tokens_[command].command);
+  if (text != spelling || is_silent_at(command)) return;
+  const Span span = tokens_[command].span;
+  Diagnostic& diagnostic = block_.diagnostics.emplace_back(make_diagnostic(Code::BareFunction, at_span(span), {text}));
+  diagnostic.fixes.push_back({"write `\\" + text + "`", {{at_span({span.begin, span.begin}), "\\"}}});
+}
+
 /// `\cos n\phi`: says how far the operand goes and how the other reading is written.
 void Parser::report_factors_in_function(const Part& function, uint32_t factor) {
   if (is_silent_at(factor)) return;
@@ -222,6 +281,31 @@ void Parser::report_power_in_function(const Part& function, uint32_t power) {
       Code::PowerInFunction, at_span(tokens_[power].span), {quote(grouped_operand), quote(grouped_value)}));
   diagnostic.fixes.push_back({"put the operand in parentheses", {{at_span(whole), grouped_operand}}});
   diagnostic.fixes.push_back({"raise the function's value", {{at_span(whole), grouped_value}}});
+}
+
+/// `f = 1 \text{ if } x > 0`: what follows the words is no part of the definition.
+void Parser::report_unread_condition(const Statement& statement, const Statement* next) {
+  const auto block_end = static_cast<uint32_t>(block_.tokens.size()) - 1;
+  const uint32_t end = next == nullptr ? block_end : next->begin;
+  for (uint32_t token = statement.end; token < end && !silent_; ++token) {
+    if (tokens_[token].kind != TokenKind::Text) continue;
+    const std::string_view words = block_.token_text(token);
+    if (read_remark(words) != RemarkKind::Introduction || !starts_condition(words)) continue;
+    const bool compares = next != nullptr && next->relation < next->end &&
+                          tokens_[next->relation].kind == TokenKind::Relation && next->begin < next->relation;
+    if (!compares && words.find('$') == std::string_view::npos) continue;
+    block_.diagnostics.push_back(make_diagnostic(Code::ConditionNotRead, at_span(tokens_[token].span)));
+    return;
+  }
+}
+
+/// `a_{\{v,l\}} = …`
+void Parser::report_several_names(NodeId name) {
+  const Node& node = block_.tree.node(name);
+  const auto is_set = [](const Token& token) { return token.kind == TokenKind::OpenSet; };
+  if (silent_ || std::none_of(tokens_ + node.first_token, tokens_ + node.end_token, is_set)) return;
+  const Span span = block_.span(name);
+  block_.diagnostics.push_back(make_diagnostic(Code::SeveralNames, at_span(span), {quote(block_.slice(span))}));
 }
 
 /// `2^3^2`, once for the chain: at its last operator.

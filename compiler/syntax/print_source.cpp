@@ -1,13 +1,11 @@
 #include "syntax/print_source.h"
 
+#include "source/characters.h"
 #include "syntax/control_words.h"
+#include "syntax/relations.h"
 
 namespace texbrdf {
 namespace {
-
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
 
 /// `\cos` and the like, of which a letter behind it would become part.
 bool ends_with_command(std::string_view text) {
@@ -33,6 +31,10 @@ class SourcePrinter {
         write("(");
         print_list(id, 0);
         return write(")");
+      case NodeKind::Matrix:
+        return print_rows(id, "pmatrix");
+      case NodeKind::MatrixRow:
+        return print_row(id);
       case NodeKind::Prefix:
         write("(");
         write(operator_text(node.token));
@@ -48,17 +50,38 @@ class SourcePrinter {
       case NodeKind::Root:
         return print_root(id);
       case NodeKind::Function:
+        return print_function(id);
       case NodeKind::Extremum:
-        write(block_.token_text(node.token));
+        write_command(node.token);
         write("(");
         print_list(id, 0);
         return write(")");
+      case NodeKind::Degrees:
+        write("(");
+        print(child(id, 0));
+        return write("^\\circ)");
       case NodeKind::Inverse:
         write("\\");
         write(command_spelling(inverse_of(block_.tokens[node.token].command)));
         write("(");
         print(child(id, 0));
         return write(")");
+      case NodeKind::BigOperator:
+        return print_big_operator(id);
+      case NodeKind::Integral:
+        return print_integral(id);
+      case NodeKind::Derivative:
+        return print_derivative(id);
+      case NodeKind::Range:
+        return;
+      case NodeKind::Set:
+        write("\\{");
+        print_list(id, 0);
+        return write("\\}");
+      case NodeKind::Domain:
+        return print_tokens(node.first_token, node.end_token);
+      case NodeKind::Differential:
+        return write("1");
       case NodeKind::Apply:
       case NodeKind::Signature:
         print(child(id, 0));
@@ -73,6 +96,20 @@ class SourcePrinter {
         write("\\langle");
         print_list(id, 0);
         return write("\\rangle");
+      case NodeKind::Cases:
+        return print_rows(id, "cases");
+      case NodeKind::Case:
+        return print_case(id);
+      case NodeKind::Comparison:
+        return print_comparison(id);
+      case NodeKind::Membership:
+        return print_membership(id);
+      case NodeKind::Junction:
+        return print_pair(id, is_conjunction(block_, id) ? "\\land" : "\\lor");
+      case NodeKind::Not:
+        write("(\\neg");
+        print(child(id, 0));
+        return write(")");
     }
   }
 
@@ -121,6 +158,88 @@ class SourcePrinter {
     }
   }
 
+  void write_command(uint32_t token) {
+    write("\\");
+    write(command_spelling(block_.tokens[token].command));
+  }
+
+  void print_function(NodeId id) {
+    write_command(tree_.node(id).token);
+    if (tree_.node(id).child_count > 1) {
+      write("_");
+      print_braced(child(id, 1));
+    }
+    write("(");
+    print(child(id, 0));
+    write(")");
+  }
+
+  void print_braced(NodeId id) {
+    write("{");
+    print(id);
+    write("}");
+  }
+
+  /// `(\sum_{k=1}^{N}body)`
+  void print_big_operator(NodeId id) {
+    const NodeId range = child(id, 1);
+    write("(");
+    write(block_.token_text(tree_.node(id).token));
+    write("_{");
+    print(child(id, 0));
+    if (tree_.node(range).kind == NodeKind::Set) {
+      write("\\in");
+      print(range);
+      write("}");
+    } else {
+      write("=");
+      print(child(range, 0));
+      write("}^");
+      print_braced(child(range, 1));
+    }
+    print(child(id, 2));
+    write(")");
+  }
+
+  /// `(\int_{a}^{b}dx\,body)`: a differential in a fraction has become a factor 1.
+  void print_integral(NodeId id) {
+    const NodeId range = child(id, 0);
+    write("(");
+    write("\\int_");
+    if (tree_.node(range).kind == NodeKind::Range) {
+      print_braced(child(range, 0));
+      write("^");
+      print_braced(child(range, 1));
+    } else {
+      const bool is_group = block_.token_text(tree_.node(range).first_token) == "{";
+      if (is_group) print(range);
+      if (!is_group) print_braced(range);
+    }
+    write("d ");
+    print(child(id, 2));
+    write("\\,");
+    write("(");
+    print(child(id, 1));
+    write("))");
+  }
+
+  void print_power(NodeId exponent) {
+    write("^");
+    print(exponent);
+  }
+
+  void print_derivative(NodeId id) {
+    const bool is_repeated = tree_.node(id).child_count > 2;
+    write("(\\frac{d");
+    if (is_repeated) print_power(child(id, 2));
+    write("}{d ");
+    print(child(id, 1));
+    if (is_repeated) print_power(child(id, 2));
+    write("}(");
+    print(child(id, 0));
+    write("))");
+  }
+
   void print_bars(NodeId id) {
     NodeId inner = child(id, 0);
     while (tree_.node(inner).kind == NodeKind::Group) inner = child(inner, 0);
@@ -128,6 +247,56 @@ class SourcePrinter {
     write(is_nested ? "|(" : "|");
     print(inner);
     write(is_nested ? ")|" : "|");
+  }
+
+  void print_rows(NodeId id, std::string_view environment) {
+    write("\\begin{");
+    write(environment);
+    write("}");
+    const std::span<const NodeId> rows = tree_.children(id);
+    for (size_t i = 0; i < rows.size(); ++i) {
+      if (i > 0) write("\\\\");
+      print(rows[i]);
+    }
+    write("\\end{");
+    write(environment);
+    write("}");
+  }
+
+  void print_row(NodeId id) {
+    for (uint32_t i = 0; i < tree_.node(id).child_count; ++i) {
+      if (i > 0) write("&");
+      print(child(id, i));
+    }
+  }
+
+  void print_case(NodeId id) {
+    print(child(id, 0));
+    write("&");
+    if (tree_.node(id).child_count == 1) return write("\\text{otherwise}");
+    print(child(id, 1));
+  }
+
+  void print_comparison(NodeId id) {
+    write("(");
+    for (uint32_t i = 0; i < tree_.node(id).child_count; ++i) {
+      if (i > 0) write(block_.token_text(relation_token(block_, id, i - 1)));
+      print(child(id, i));
+    }
+    write(")");
+  }
+
+  void print_membership(NodeId id) {
+    const Node& node = tree_.node(id);
+    write("(");
+    print(child(id, 0));
+    write("\\in");
+    write(block_.token_text(node.token));
+    print(child(id, 1));
+    write(",");
+    print(child(id, 2));
+    write(block_.token_text(node.end_token - 1));
+    write(")");
   }
 
   void print_root(NodeId id) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "source/characters.h"
 #include "syntax/operators.h"
 
 namespace texbrdf {
@@ -12,10 +13,6 @@ namespace {
 constexpr auto kConnectives = std::to_array<std::string_view>(
     {"where", "with", "and",   "for", "if",   "when", "then", "so",    "that",    "hence", "thus", "therefore", "in",
      "at",    "or",   "which", "as",  "here", "let",  "such", "since", "because", "is",    "are",  "otherwise", "on"});
-
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
 
 /// The first word of `\text{ where }`; empty where something else comes first.
 std::string_view first_word(std::string_view text_token) {
@@ -63,7 +60,11 @@ class Splitter {
   bool is_script(uint32_t token) const {
     return token > 0 && (kind(token - 1) == TokenKind::Underscore || kind(token - 1) == TokenKind::Caret);
   }
-  bool is_separator(uint32_t token) const { return is_layout(kind(token)) || is_punctuation(token); }
+  /// Cells and rows that are no display's stand at this level only where their environment has no end.
+  bool is_separator(uint32_t token) const {
+    return is_layout(kind(token)) || is_punctuation(token) || kind(token) == TokenKind::CellEnd ||
+           kind(token) == TokenKind::RowEnd;
+  }
   bool is_punctuation(uint32_t token) const {
     if (kind(token) == TokenKind::Comma) return true;
     return kind(token) == TokenKind::Unknown && (token_text(token) == "." || token_text(token) == ":");
@@ -85,12 +86,10 @@ class Splitter {
     }
     separators_.end = token + 1;
     if (!is_column(token)) separators_.are_columns = false;
-    if (kind(token) == TokenKind::NewRow) separators_.has_new_row = true;
+    if (kind(token) == TokenKind::NewRow || kind(token) == TokenKind::RowEnd) separators_.has_new_row = true;
   }
 
-  bool is_column(uint32_t token) const {
-    return kind(token) == TokenKind::Ampersand || (kind(token) == TokenKind::Gap && token_text(token) == "&");
-  }
+  bool is_column(uint32_t token) const { return kind(token) == TokenKind::Ampersand || token_text(token) == "&"; }
 
   void note_relation(uint32_t token) {
     // The `&` of `a &= b` separates nothing.
@@ -120,6 +119,10 @@ class Splitter {
     uint32_t begin = begin_;
     while (begin < end && is_separator(begin)) ++begin;
     while (end > begin && is_separator(end - 1)) --end;
+    if (const uint32_t number = equation_number(begin, end); number != end) {
+      end = number;
+      while (end > begin && is_separator(end - 1)) --end;
+    }
     if (begin < end) {
       const uint32_t relation = has_relation_ ? relation_ : end;
       statements_.push_back({begin, end, relation, chain_ == kNone ? end : chain_});
@@ -127,6 +130,20 @@ class Splitter {
     has_relation_ = false;
     chain_ = kNone;
     separators_ = before_ = {};
+  }
+
+  /// Where `\qquad (12)` begins at the end of a statement that has something before it, else `end`.
+  uint32_t equation_number(uint32_t begin, uint32_t end) const {
+    constexpr uint32_t kLength = 3;
+    const uint32_t first = end - std::min(end, kLength);
+    const bool is_number = end - first == kLength && first > begin + 1 && kind(first) == TokenKind::OpenParen &&
+                           kind(first + 1) == TokenKind::Number && kind(first + 2) == TokenKind::CloseParen;
+    const bool stands_apart = is_number && kind(first - 1) == TokenKind::Gap && !is_column(first - 1);
+    if (!stands_apart || token_text(first + 1).find('.') != std::string_view::npos) return end;
+    uint32_t before = first;
+    while (before > begin && is_layout(kind(before - 1))) --before;
+    const TokenKind last = kind(before - 1);
+    return is_relation(before - 1) || role_of(last).infix != 0 ? end : first;
   }
 
   static constexpr uint32_t kNone = UINT32_MAX;

@@ -17,6 +17,7 @@ struct Statement {
   uint32_t end = 0;       ///< the token that ends it: a separator, or the block's End
   uint32_t relation = 0;  ///< its first `=`, `<` …; `end` where it has none
   uint32_t chain = 0;     ///< the relation that ends the first right side; else `end`
+  bool is_part = false;   ///< stands in a chain: in force where nothing else defines the name
 };
 
 /// A row that starts with an operator or a relation continues the one before; what stands in brackets belongs together

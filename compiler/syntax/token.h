@@ -20,6 +20,11 @@ constexpr bool is_layout(TokenKind kind) {
   return kind == TokenKind::Ampersand || kind == TokenKind::Gap || kind == TokenKind::NewRow;
 }
 
+/// It makes a name of its own of the name behind it.
+constexpr bool is_decoration(TokenKind kind) {
+  return kind == TokenKind::Vec || kind == TokenKind::Accent;
+}
+
 /// The commands that the language knows, from commands.def: \sin, \max, \frac …
 enum class Command : uint8_t {
   None,
@@ -28,14 +33,10 @@ enum class Command : uint8_t {
 #undef COMMAND
 };
 
-/// Where a token's text was written: 0 is the block itself; later also expansions of macros.
-using TokenOrigin = uint16_t;
-
 struct Token {
   TokenKind kind;
   Command command = Command::None;  ///< of a command of the language, else None
-  TokenOrigin origin = 0;
-  Span span;  ///< relative to the block
+  Span span;                        ///< relative to the block
 };
 
 }  // namespace texbrdf

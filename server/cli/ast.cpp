@@ -35,6 +35,10 @@ std::string node_title(const ParsedBlock& block, NodeId id) {
       return group_title(block.tokens[node.token].kind);
     case NodeKind::Tuple:
       return "( , )";
+    case NodeKind::Matrix:
+      return "matrix";
+    case NodeKind::MatrixRow:
+      return "row";
     case NodeKind::Bars:
       return "| |";
     case NodeKind::Angles:
@@ -46,13 +50,35 @@ std::string node_title(const ParsedBlock& block, NodeId id) {
     case NodeKind::Function:
     case NodeKind::Inverse:
     case NodeKind::Extremum:
+    case NodeKind::BigOperator:
+    case NodeKind::Integral:
+    case NodeKind::Derivative:
     case NodeKind::Definition:
       return std::string(block.token_text(node.token));
     case NodeKind::Apply:
     case NodeKind::Signature:
       return fmt::format("{}( )", block.node_text(block.tree.child(id, 0)));
+    case NodeKind::Degrees:
+      return "°";
+    case NodeKind::Range:
+      return "range";
+    case NodeKind::Set:
+      return "set";
+    case NodeKind::Domain:
+    case NodeKind::Differential:
+      return std::string(block.node_text(id));
     case NodeKind::VectorLiteral:
       return "\\vec{ }";
+    case NodeKind::Cases:
+      return "{";
+    case NodeKind::Case:
+      return node.child_count > 1 ? "if" : "otherwise";
+    case NodeKind::Membership:
+      return "\\in";
+    case NodeKind::Comparison:
+    case NodeKind::Junction:
+    case NodeKind::Not:
+      return std::string(block.token_text(node.token));
     case NodeKind::Juxtaposition:
       return "side by side";
     case NodeKind::Error:

@@ -12,6 +12,7 @@
 #include "cli/model.h"
 #include "cli/sarif.h"
 #include "cli/subcommands.h"
+#include "features/numeric_diagnostics.h"
 
 namespace texbrdf::cli {
 namespace {
@@ -72,7 +73,7 @@ ExitCode check(const CheckOptions& options) {
   for (std::size_t i = 0; i < documents.size(); ++i) {
     if (is_included(documents, i)) continue;
     const Snapshot& snapshot = documents[i].document.snapshot();
-    files.push_back({documents[i].file_names, &snapshot, snapshot.diagnostics(*root)});
+    files.push_back({documents[i].file_names, &snapshot, features::all_diagnostics(snapshot, *root)});
     if (has_error(files.back().diagnostics)) exit_code = std::max(exit_code, ExitCode::DocumentHasErrors);
   }
   if (const auto failure = write_output(options.output, formatted(files, options))) {

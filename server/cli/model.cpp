@@ -71,7 +71,7 @@ std::variant<NamedDocument, ExitCode> read_document(const std::string& path) {
     print_message(bytes.error());
     return ExitCode::BadUsage;
   }
-  NamedDocument named{{}, {}, Document(*std::move(bytes))};
+  NamedDocument named{{}, {}, Document(*bytes, language_of_path(path))};
   const bool is_standard_input = path == "-";
   const std::string folder = lsp::real_path(".");
   named.paths = {is_standard_input ? folder + "/-" : lsp::real_path(path)};

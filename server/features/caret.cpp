@@ -1,8 +1,10 @@
 #include "features/caret.h"
 
 #include <algorithm>
+#include <array>
 
 #include "semantics/name_traits.h"
+#include "source/characters.h"
 #include "syntax/brackets.h"
 #include "syntax/control_words.h"
 
@@ -12,17 +14,17 @@ namespace {
 using Role = OpenBracket::Role;
 constexpr uint32_t kNone = UINT32_MAX;
 
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-
-bool is_decoration(TokenKind kind) {
-  return kind == TokenKind::Vec || kind == TokenKind::Accent;
-}
+/// What a bracket is behind a command.
+struct RoleBehind {
+  TokenKind before;
+  Role role;
+};
+constexpr auto kRolesBehind = std::to_array<RoleBehind>({{TokenKind::Function, Role::Function},
+                                                         {TokenKind::Extremum, Role::Extremum},
+                                                         {TokenKind::Frac, Role::Numerator},
+                                                         {TokenKind::DerivativeFrac, Role::Numerator},
+                                                         {TokenKind::Sqrt, Role::Radicand},
+                                                         {TokenKind::Caret, Role::Exponent}});
 
 /// Reads tokens from the left and knows which brackets are open and where the name in front starts.
 class BracketReader {
@@ -62,82 +64,43 @@ class BracketReader {
   }
 
   void open(uint32_t token) {
-    OpenBracket bracket{.role = Role::Group, .token = token, .first_token = token};
-    const auto behind = [&](Role role, uint32_t first) {
-      bracket.role = role;
-      bracket.first_token = first;
-    };
+    open_.push_back({.role = Role::Group, .token = token, .first_token = token});
     const bool is_brace = kind(token) == TokenKind::OpenBrace;
-    switch (before(token)) {
-      case TokenKind::Underscore:
-        if (is_brace && name_ != kNone) behind(Role::Subscript, name_);
-        break;
-      case TokenKind::Vec:
-      case TokenKind::Accent:
-        if (is_brace) behind(Role::Vec, name_);
-        break;
-      case TokenKind::Unknown:
-        if (is_brace && is_text_command(token - 1)) {
-          behind(Role::Text, name_ == kNone ? token - 1 : name_);
-        } else if (is_brace && block_.token_text(token - 1).starts_with('\\')) {
-          behind(Role::Foreign, token - 1);
-        }
-        break;
-      case TokenKind::Function:
-        behind(Role::Function, token - 1);
-        break;
-      case TokenKind::Extremum:
-        behind(Role::Extremum, token - 1);
-        break;
-      case TokenKind::Frac:
-        behind(Role::Numerator, token - 1);
-        break;
-      case TokenKind::Sqrt:
-        behind(kind(token) == TokenKind::OpenBracket ? Role::RootIndex : Role::Radicand, token - 1);
-        break;
-      case TokenKind::Caret:
-        behind(Role::Exponent, token - 1);
-        break;
-      case TokenKind::CloseBrace:
-        if (is_brace && closed_.role == Role::Numerator) behind(Role::Denominator, closed_.first_token);
-        break;
-      case TokenKind::CloseBracket:
-        if (is_brace && closed_.role == Role::RootIndex) behind(Role::Radicand, closed_.first_token);
-        break;
-      case TokenKind::Macro:
-        if (is_brace && !is_greek(token - 1)) behind(Role::Foreign, token - 1);
-        break;
-      case TokenKind::Number:
-      case TokenKind::Word:
-      case TokenKind::Text:
-      case TokenKind::Prime:
-      case TokenKind::Plus:
-      case TokenKind::Minus:
-      case TokenKind::Multiply:
-      case TokenKind::Cross:
-      case TokenKind::Divide:
-      case TokenKind::Equals:
-      case TokenKind::Comma:
-      case TokenKind::OpenParen:
-      case TokenKind::CloseParen:
-      case TokenKind::OpenBrace:
-      case TokenKind::OpenBracket:
-      case TokenKind::OpenSet:
-      case TokenKind::CloseSet:
-      case TokenKind::OpenAngle:
-      case TokenKind::CloseAngle:
-      case TokenKind::Bar:
-      case TokenKind::DoubleBar:
-      case TokenKind::Over:
-      case TokenKind::Relation:
-      case TokenKind::Ampersand:
-      case TokenKind::Gap:
-      case TokenKind::NewRow:
-      case TokenKind::End:
-        break;
+    if (is_brace) open_brace(token);
+    if (const auto role = std::ranges::find(kRolesBehind, before(token), &RoleBehind::before);
+        role != kRolesBehind.end()) {
+      begin_with(token - 1, role->role);
     }
-    if (kind(token) == TokenKind::OpenParen && name_ != kNone) behind(Role::Call, name_);
-    open_.push_back(bracket);
+    if (before(token) == TokenKind::Sqrt && kind(token) == TokenKind::OpenBracket) open_.back().role = Role::RootIndex;
+    if (kind(token) == TokenKind::OpenParen && name_ != kNone) begin_with(name_, Role::Call);
+  }
+
+  void open_brace(uint32_t token) {
+    const TokenKind in_front = before(token);
+    if (in_front == TokenKind::Underscore && name_ != kNone) {
+      begin_with(name_, Role::Subscript);
+    } else if (is_decoration(in_front)) {
+      begin_with(name_, Role::Vec);
+    } else if (in_front == TokenKind::Unknown && is_text_command(token - 1)) {
+      begin_with(name_ == kNone ? token - 1 : name_, Role::Text);
+    } else if (is_foreign_command(token)) {
+      begin_with(token - 1, Role::Foreign);
+    } else if (in_front == TokenKind::CloseBrace && closed_.role == Role::Numerator) {
+      begin_with(closed_.first_token, Role::Denominator);
+    } else if (in_front == TokenKind::CloseBracket && closed_.role == Role::RootIndex) {
+      begin_with(closed_.first_token, Role::Radicand);
+    }
+  }
+
+  void begin_with(uint32_t first_token, Role role) {
+    open_.back().role = role;
+    open_.back().first_token = first_token;
+  }
+
+  /// In front of the brace.
+  bool is_foreign_command(uint32_t brace) const {
+    if (before(brace) == TokenKind::Macro) return !is_greek(brace - 1);
+    return before(brace) == TokenKind::Unknown && block_.token_text(brace - 1).starts_with('\\');
   }
 
   /// A closer without partner is passed over; openers without partner inside of a pair are closed with it.
@@ -278,7 +241,9 @@ std::optional<MathPlace> math_place(const Snapshot& snapshot, uint32_t offset) {
   const auto block = snapshot.block_at(offset);
   if (!block) return std::nullopt;
   const ParsedBlock& parsed = snapshot.parsed(*block);
-  const uint32_t relative = offset - snapshot.absolute(*block, {}).begin;
+  const std::optional<uint32_t> in_text = parsed.from_source(offset - snapshot.absolute(*block, {}).begin);
+  if (!in_text) return std::nullopt;
+  const uint32_t relative = *in_text;
   const bool is_in_comment = std::ranges::any_of(
       parsed.comments, [&](Span comment) { return comment.begin < relative && relative <= comment.end; });
   const bool is_read = parsed.extent.content.touches(relative) && parsed.text.size() <= kMaxBlockBytes;
@@ -293,6 +258,9 @@ std::optional<Caret> find_caret(const Snapshot& snapshot, uint32_t offset) {
   const auto place = math_place(snapshot, offset);
   if (!place) return std::nullopt;
   auto caret = CaretReader(snapshot.parsed(place->block), place->offset).run();
+  // What stands at the end of a macro, or of its argument, is no word that somebody types.
+  if (caret && !snapshot.parsed(place->block).is_replaceable(caret->typed)) return std::nullopt;
+  if (caret && snapshot.absolute(place->block, caret->typed).end != offset) return std::nullopt;
   if (caret) caret->block = place->block;
   return caret;
 }

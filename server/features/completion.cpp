@@ -9,7 +9,9 @@
 #include "features/completion_commands.h"
 #include "features/completion_text.h"
 #include "features/demand.h"
+#include "semantics/builtin_functions.h"
 #include "semantics/name_traits.h"
+#include "source/utf8.h"
 #include "syntax/control_words.h"
 
 namespace texbrdf::features {
@@ -19,6 +21,42 @@ namespace {
 constexpr std::size_t kMostExamined = 200;
 /// Definitions in either direction that are near.
 constexpr uint32_t kFarthest = 60;
+
+constexpr std::size_t kLongestDetail = 60;
+
+std::vector<std::string_view> words_of(std::string_view spellings) {
+  std::vector<std::string_view> words;
+  for (std::size_t begin = 0; begin < spellings.size();) {
+    const std::size_t end = std::min(spellings.find(' ', begin), spellings.size());
+    words.push_back(spellings.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return words;
+}
+
+/// `(#, #)` for two arguments.
+std::string places_for(const Signature& signature) {
+  std::string places = "(";
+  for (std::size_t i = 0; i < signature.parameters.size(); ++i) places += i == 0 ? "#" : ", #";
+  return places + ")";
+}
+
+/// On one line.
+std::string shortened(std::string_view body) {
+  std::string line;
+  for (const char c : body) {
+    const bool is_space = c == ' ' || c == '\t' || c == '\r' || c == '\n';
+    if (!is_space) {
+      line += c;
+    } else if (!line.empty() && !line.ends_with(' ')) {
+      line += ' ';
+    }
+  }
+  if (line.size() <= kLongestDetail) return line;
+  std::size_t end = 0;
+  while (end < kLongestDetail) end += code_point_at_front(std::string_view(line).substr(end)).size;
+  return line.substr(0, end) + "…";
+}
 
 /// A definition whose name begins as what is typed.
 struct Candidate {
@@ -47,10 +85,15 @@ class Completer {
     } else {
       demanded_ = demanded_type(snapshot_, caret_.block, caret_.typed_token, caret_.brackets);
       add_parameters();
+      add_bound_names();
       add_definitions();
       add_conventions();
+      if (!key_.empty()) add_builtins();
     }
-    if (caret_.typed.begin == caret_.word.begin) add_commands();
+    if (caret_.typed.begin == caret_.word.begin) {
+      add_macros();
+      add_commands();
+    }
     std::ranges::stable_sort(found_.items, {},
                              [](const CompletionItem& item) { return std::tuple(item.fit, item.kind); });
     return std::move(found_);
@@ -62,7 +105,11 @@ class Completer {
     const std::string_view text = block_.slice(typed);
     auto open = std::ranges::count(text, '{') - std::ranges::count(text, '}');
     uint32_t end = typed.end;
-    for (; open > 0 && end < block_.extent.content.end && block_.text[end] == '}'; --open) ++end;
+    const auto closes = [&] {
+      return end < block_.extent.content.end && block_.text[end] == '}' &&
+             block_.is_replaceable({typed.begin, end + 1});
+    };
+    for (; open > 0 && closes(); --open) ++end;
     return end;
   }
 
@@ -122,6 +169,22 @@ class Completer {
       if (!matches(name)) continue;
       CompletionItem added = item(CompletionKind::Parameter, name, parameter.type);
       added.detail = type_symbol(parameter.type);
+      found_.items.push_back(std::move(added));
+    }
+  }
+
+  /// Of the binders that begin in front of the caret.
+  void add_bound_names() {
+    if (!inside_.valid()) return;
+    const Definition& definition = snapshot_.definition(inside_);
+    for (const BoundName& bound : definition.checked->bound) {
+      const NameId name = snapshot_.names_of(caret_.block).by_node[bound.variable.value];
+      const bool is_in_front = block_.tokens[block_.tree.node(bound.node).first_token].span.begin < caret_.offset;
+      if (!name.valid() || !is_in_front || is_hidden(name)) continue;
+      hidden_.push_back(name);
+      if (!matches(snapshot_.names().text(name))) continue;
+      CompletionItem added = item(CompletionKind::Parameter, snapshot_.names().text(name), bound.type);
+      added.detail = type_symbol(bound.type);
       found_.items.push_back(std::move(added));
     }
   }
@@ -206,6 +269,45 @@ class Completer {
     }
   }
 
+  /// Upright, as LaTeX sets the names of functions.
+  void add_builtins() {
+    for (const BuiltinEntry& entry : builtin_functions()) {
+      for (const std::string_view word : words_of(entry.spellings)) {
+        const std::string name = fmt::format("\\text{{{}}}", word);
+        const bool has_command = find_command(word) != Command::None;
+        if (has_command || !matches(name) || is_taken(name) || is_taken(word)) continue;
+        CompletionItem added = item(CompletionKind::Builtin, name, entry.signature.result);
+        added.detail = signature_text(entry.signature);
+        added.is_function = true;
+        if (options_.snippets && !is_called_already()) {
+          added.is_snippet = true;
+          added.new_text = command_snippet(added.label, places_for(entry.signature));
+        }
+        found_.items.push_back(std::move(added));
+      }
+    }
+  }
+
+  void add_macros() {
+    for (const DocumentMacro& macro : snapshot_.macros()) {
+      const std::string spelling = fmt::format("\\{}", macro.name);
+      if (!matches(spelling)) continue;
+      macros_.push_back(spelling);
+      std::string tail;
+      for (uint32_t i = 0; i < macro.parameters; ++i) tail += "{#}";
+      CompletionItem added = item(CompletionKind::Macro, spelling, Type::Error);
+      added.fit = Fit::Good;
+      added.detail = shortened(macro.body);
+      if (options_.snippets && !tail.empty()) {
+        added.is_snippet = true;
+        added.label = command_label(spelling, tail);
+        if (added.filter.empty()) added.filter = spelling;
+        added.new_text = command_snippet(spelling, tail);
+      }
+      found_.items.push_back(std::move(added));
+    }
+  }
+
   /// By a definition or a parameter.
   bool is_taken(std::string_view convention) const {
     const NameId name = snapshot_.names().find(convention);
@@ -219,6 +321,7 @@ class Completer {
       // Without its places to fill in, the literal is no more than \vec.
       const bool is_double = !options_.snippets && command.role == CommandRole::Value && command.spelling == "\\vec";
       if (!fits_side || is_double || !matches(command.spelling)) continue;
+      if (std::ranges::find(macros_, command.spelling) != macros_.end()) continue;
       CompletionItem added = item(CompletionKind::Command, command.spelling, command.type);
       if (command.role == CommandRole::Layout) added.fit = Fit::Bad;
       if (options_.snippets && !command.tail.empty()) {
@@ -255,7 +358,8 @@ class Completer {
   Span replaced_;
   DefinitionId inside_;
   std::optional<Type> demanded_;
-  std::vector<NameId> hidden_;  ///< not to be proposed as definitions
+  std::vector<NameId> hidden_;       ///< not to be proposed as definitions
+  std::vector<std::string> macros_;  ///< that are proposed
   std::vector<Candidate> candidates_;
   Completions found_;
 };
@@ -269,6 +373,18 @@ std::string describe_parameter_named(const Snapshot& snapshot, std::string_view 
   for (uint32_t i = 0; i < parameters.size(); ++i) {
     const bool is_meant = parameters[i].name.valid() && snapshot.names().text(parameters[i].name) == name;
     if (is_meant) return describe_parameter(snapshot, *id, i, markup);
+  }
+  return {};
+}
+
+std::string describe_macro_named(const Snapshot& snapshot, std::string_view label, Markup markup) {
+  const std::string_view name = label.substr(1, label.find('{') - 1);
+  const std::vector<Span> places = snapshot.places_of_macro(name);
+  if (places.empty()) return {};
+  for (const Span place : places) {
+    if (!snapshot.is_in_file(place)) continue;
+    const auto macro = snapshot.macro_at(place.begin);
+    if (macro) return describe_macro(snapshot, *macro, markup);
   }
   return {};
 }
@@ -306,6 +422,12 @@ std::string describe_completion(const Snapshot& snapshot, CompletionKind kind, s
       const auto inside = snapshot.find(function);
       if (!convention) return {};
       return describe_convention(snapshot, label, *convention, inside.value_or(DefinitionId{}), markup);
+    }
+    case CompletionKind::Macro:
+      return describe_macro_named(snapshot, label, markup);
+    case CompletionKind::Builtin: {
+      const auto builtin = find_builtin(label);
+      return builtin ? describe_builtin(label, *builtin, markup) : std::string{};
     }
     case CompletionKind::Command:
       return describe_command(label, markup);

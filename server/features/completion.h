@@ -12,7 +12,7 @@
 namespace texbrdf::features {
 
 /// What is proposed; in this order where nothing else decides.
-enum class CompletionKind : uint8_t { Parameter, Definition, Convention, Command, Letter };
+enum class CompletionKind : uint8_t { Parameter, Definition, Macro, Convention, Builtin, Command, Letter };
 
 /// How well the type of a proposal suits its place.
 enum class Fit : uint8_t { Good, Unknown, Bad };
@@ -23,7 +23,7 @@ struct CompletionItem {
   bool is_function = false;
   bool is_snippet = false;
   std::string label;
-  std::string detail;    ///< its type; empty where it has none
+  std::string detail;    ///< its type, of a macro what it stands for; empty where it has none
   std::string new_text;  ///< in place of Completions::replaced
   std::string filter;    ///< what has to match what is typed; empty: the label
 };

@@ -162,7 +162,7 @@ std::optional<NewDefinition> define_above(const Snapshot& snapshot, const Locati
 std::optional<NewDefinition> define_below(const Snapshot& snapshot, BlockId id, std::string_view name) {
   const ParsedBlock& block = snapshot.parsed(id);
   if (block.extent.ended_by != BlockEnd::Closed || is_inline(block.extent.region)) return std::nullopt;
-  const uint32_t offset = snapshot.absolute(id, {}).begin + static_cast<uint32_t>(block.text.size());
+  const uint32_t offset = snapshot.absolute(id, {}).begin + static_cast<uint32_t>(block.source().size());
   return new_definition(name, offset, Layout(block).below(fmt::format("{} = 1", name)));
 }
 

@@ -1,5 +1,8 @@
 #include "features/demand.h"
 
+#include "features/new_name.h"
+#include "features/places.h"
+
 namespace texbrdf::features {
 namespace {
 
@@ -44,6 +47,8 @@ class DemandReader {
           token = bracket.first_token;
           continue;
         }
+        case TokenKind::OpenMatrix:
+          return Type::Real;
         case TokenKind::Number:
         case TokenKind::Word:
         case TokenKind::Macro:
@@ -52,6 +57,12 @@ class DemandReader {
         case TokenKind::Accent:
         case TokenKind::Prime:
         case TokenKind::Extremum:
+        case TokenKind::BigOperator:
+        case TokenKind::Integral:
+        case TokenKind::OpenIntegral:
+        case TokenKind::Differential:
+        case TokenKind::DifferentialFactor:
+        case TokenKind::DerivativeFrac:
         case TokenKind::Frac:
         case TokenKind::Multiply:
         case TokenKind::Underscore:
@@ -61,6 +72,17 @@ class DemandReader {
         case TokenKind::CloseBracket:
         case TokenKind::CloseSet:
         case TokenKind::CloseAngle:
+        case TokenKind::OpenCases:
+        case TokenKind::CloseCases:
+        case TokenKind::CloseMatrix:
+        case TokenKind::OpenInterval:
+        case TokenKind::CloseInterval:
+        case TokenKind::CellEnd:
+        case TokenKind::RowEnd:
+        case TokenKind::Remark:
+        case TokenKind::And:
+        case TokenKind::Or:
+        case TokenKind::Not:
         case TokenKind::Bar:
         case TokenKind::DoubleBar:
         case TokenKind::Over:
@@ -143,11 +165,28 @@ std::optional<Type> demanded_type(const Snapshot& snapshot, BlockId block, uint3
   return DemandReader(snapshot, block, brackets).run(token);
 }
 
+namespace {
+
+Span callee_span(const ParsedBlock& block, const OpenBracket& bracket) {
+  return join(block.tokens[bracket.first_token].span, block.tokens[bracket.token - 1].span);
+}
+
+}  // namespace
+
+std::string called_name(const Snapshot& snapshot, BlockId block, const OpenBracket& bracket) {
+  if (bracket.role != Role::Call) return {};
+  const ParsedBlock& parsed = snapshot.parsed(block);
+  const Result<NewName> name = read_new_name(parsed.slice(callee_span(parsed, bracket)));
+  return name ? name->canonical : std::string();
+}
+
 std::optional<DefinitionId> callee(const Snapshot& snapshot, BlockId block, const OpenBracket& bracket) {
   if (bracket.role != Role::Call) return std::nullopt;
-  const ParsedBlock& parsed = snapshot.parsed(block);
-  const Span name = join(parsed.tokens[bracket.first_token].span, parsed.tokens[bracket.token - 1].span);
-  return snapshot.find(parsed.slice(name));
+  if (const auto named = snapshot.find(called_name(snapshot, block, bracket))) return named;
+  const Span written = callee_span(snapshot.parsed(block), bracket);
+  if (const auto named = snapshot.find(snapshot.parsed(block).slice(written))) return named;
+  const std::optional<Occurrence> name = snapshot.occurrence_at(snapshot.absolute(block, written).begin);
+  return name ? stood_for(snapshot, *name) : std::nullopt;
 }
 
 }  // namespace texbrdf::features

@@ -60,13 +60,44 @@ std::vector<std::string_view> followed_parameters(const Snapshot& snapshot, Defi
   return names;
 }
 
-}  // namespace
+/// What a definition, parameter or convention is called.
+std::string referent_text(const Snapshot& snapshot, const CheckedDefinition& inside, const Referent& referent) {
+  switch (referent.kind) {
+    case Referent::Kind::Definition:
+      return shown_name(snapshot.names().text(NameId{referent.index}));
+    case Referent::Kind::Parameter:
+      return shown_name(snapshot.names().text(inside.parameters[referent.index].name));
+    case Referent::Kind::Convention:
+      return std::string(convention_entry(static_cast<Convention>(referent.index)).symbol);
+    case Referent::Kind::None:
+    case Referent::Kind::Angle:
+    case Referent::Kind::Builtin:
+    case Referent::Kind::Derived:
+    case Referent::Kind::Bound:
+    case Referent::Kind::BoundAngle:
+    case Referent::Kind::Indexed:
+    case Referent::Kind::Derivative:
+    case Referent::Kind::Transposition:
+      return {};
+  }
+  return {};
+}
 
-std::string describe_definition(const Snapshot& snapshot, DefinitionId id, Markup markup) {
+std::string angle_formula(ParameterAngle angle, std::string_view direction) {
+  if (angle.kind == Convention::PhiI) return fmt::format("atan2({0}·Y, {0}·X)", direction);
+  return fmt::format("arccos(N·{})", direction);
+}
+
+std::string_view binder_role(const ParsedBlock& block, const BoundName& bound) {
+  const NodeKind kind = block.tree.node(bound.node).kind;
+  return kind == NodeKind::BigOperator ? "index" : "variable";
+}
+
+std::string describe_as(const Snapshot& snapshot, DefinitionId id, const Signature& signature, Markup markup) {
   Page page(markup);
   const Definition& definition = snapshot.definition(id);
   const std::string_view name = snapshot.names().text(definition.name);
-  page.paragraph(fmt::format("{}: {}", page.code(name), page.code(signature_text(definition.checked->signature))));
+  page.paragraph(fmt::format("{}: {}", page.code(name), page.code(signature_text(signature))));
   page.equation(snapshot.equation(id));
 
   std::string facts;
@@ -83,12 +114,26 @@ std::string describe_definition(const Snapshot& snapshot, DefinitionId id, Marku
   return page.take();
 }
 
+}  // namespace
+
+std::string describe_definition(const Snapshot& snapshot, DefinitionId id, Markup markup) {
+  return describe_as(snapshot, id, snapshot.definition(id).checked->signature, markup);
+}
+
+std::string describe_instance(const Snapshot& snapshot, DefinitionId id, const InstanceCall& call, Markup markup) {
+  Signature signature;
+  signature.is_function = true;
+  signature.parameters = call.instance.parameters;
+  signature.result = call.result;
+  return describe_as(snapshot, id, signature, markup);
+}
+
 std::string describe_parameter(const Snapshot& snapshot, DefinitionId id, uint32_t index, Markup markup) {
   Page page(markup);
   const Definition& function = snapshot.definition(id);
   const CheckedParameter& parameter = function.checked->parameters[index];
-  page.paragraph(
-      fmt::format("{}: {}", page.code(snapshot.names().text(parameter.name)), page.code(type_symbol(parameter.type))));
+  page.paragraph(fmt::format("{}: {}", page.code(parameter_text(snapshot, function.block, parameter)),
+                             page.code(type_symbol(parameter.type))));
   const bool surprising = parameter.inferred && is_triple(parameter.type);
   page.paragraph(fmt::format("parameter of {}{}", page.code(snapshot.names().text(function.name)),
                              surprising ? ", a vector because of how it is used" : ""));
@@ -118,16 +163,96 @@ std::string describe_convention(const Snapshot& snapshot, std::string_view name,
   return page.take();
 }
 
+std::string describe_macro(const Snapshot& snapshot, const MacroOccurrence& macro, Markup markup) {
+  Page page(markup);
+  const FilePlace place = snapshot.place(macro.definition);
+  page.equation(snapshot.text(place.file).slice(place.span));
+  page.paragraph(fmt::format("macro, defined on {}", line_name(snapshot, macro.definition_name.begin)));
+  return page.take();
+}
+
 std::string describe_angle(const Snapshot& snapshot, std::string_view name, ParameterAngle angle, DefinitionId inside,
                            Markup markup) {
   Page page(markup);
   const CheckedParameter& parameter = snapshot.definition(inside).checked->parameters[angle.position];
   const std::string_view direction = snapshot.names().text(parameter.name);
   const bool is_azimuth = angle.kind == Convention::PhiI;
-  const std::string formula =
-      is_azimuth ? fmt::format("atan2({0}·Y, {0}·X)", direction) : fmt::format("arccos(N·{})", direction);
+  const std::string formula = angle_formula(angle, direction);
   page.paragraph(fmt::format("{}: {} = {}", page.code(name), page.code(type_symbol(Type::Real)), page.code(formula)));
   page.paragraph(fmt::format("{} of the parameter {}", is_azimuth ? "azimuth" : "polar angle", page.code(direction)));
+  return page.take();
+}
+
+std::string describe_bound(const Snapshot& snapshot, const Occurrence& occurrence, Markup markup) {
+  const Definition around = snapshot.definition(occurrence.inside);
+  const bool is_angle = occurrence.referent.kind == Referent::Kind::BoundAngle;
+  const ParameterAngle angle = angle_of_parameter(occurrence.referent);
+  const BoundName& bound = around.checked->bound[is_angle ? angle.position : occurrence.referent.index];
+  const ParsedBlock& block = snapshot.parsed(around.block);
+  const std::string variable(block.node_text(bound.variable));
+  Page page(markup);
+  const std::string_view name = snapshot.names().text(occurrence.name);
+  if (is_angle) {
+    const std::string formula = angle_formula(angle, variable);
+    page.paragraph(fmt::format("{}: {} = {}", page.code(name), page.code(type_symbol(Type::Real)), page.code(formula)));
+  } else {
+    page.paragraph(fmt::format("{}: {}", page.code(name), page.code(type_symbol(bound.type))));
+  }
+  page.paragraph(fmt::format("{}{} of {}", is_angle ? "angle of the " : "", binder_role(block, bound),
+                             page.code(one_line(block, bound.node))));
+  return page.take();
+}
+
+static Type derived_type(const DerivedNumber& number) {
+  return number.kind == DerivedNumber::Kind::PositivePart ? number.vector.type : Type::Real;
+}
+
+std::string describe_derived(const Snapshot& snapshot, const Occurrence& occurrence, Markup markup) {
+  Page page(markup);
+  const CheckedDefinition& inside = *snapshot.definition(occurrence.inside).checked;
+  const DerivedNumber& number = inside.derived[occurrence.referent.index];
+  const std::string vector = referent_text(snapshot, inside, number.vector.referent);
+  std::string formula, meaning;
+  switch (number.kind) {
+    case DerivedNumber::Kind::PolarAngle:
+      formula = fmt::format("arccos(N·{})", vector);
+      meaning = "polar angle of";
+      break;
+    case DerivedNumber::Kind::Azimuth:
+      formula = fmt::format("atan2({0}·Y, {0}·X)", vector);
+      meaning = "azimuth of";
+      break;
+    case DerivedNumber::Kind::Component:
+      formula = fmt::format("{}·{}", vector, "XYN"[number.axis]);
+      meaning = "component of";
+      break;
+    case DerivedNumber::Kind::PositivePart:
+      formula = fmt::format("max(0, {})", vector);
+      meaning = "positive part of";
+      break;
+    case DerivedNumber::Kind::Entry: {
+      const Shape shape = type_shape(number.vector.type);
+      const uint32_t row = number.axis / shape.columns + 1, column = number.axis % shape.columns + 1;
+      formula = shape.is_vector() ? fmt::format("{}[{}]", vector, number.axis + 1)
+                                  : fmt::format("{}[{}, {}]", vector, row, column);
+      meaning = "entry of";
+      break;
+    }
+  }
+  const std::string_view name = snapshot.names().text(occurrence.name);
+  page.paragraph(
+      fmt::format("{}: {} = {}", page.code(name), page.code(type_symbol(derived_type(number))), page.code(formula)));
+  page.paragraph(fmt::format("{} {}", meaning, page.code(vector)));
+  return page.take();
+}
+
+std::string describe_builtin(std::string_view name, Builtin function, Markup markup) {
+  Page page(markup);
+  const BuiltinEntry& entry = builtin_entry(function);
+  const std::string_view shown = name == kStepFunction ? "\\chi^+" : name;
+  page.paragraph(fmt::format("{}: {}", page.code(shown), page.code(signature_text(entry.signature))));
+  page.paragraph(entry.meaning);
+  page.paragraph("a function that needs no definition");
   return page.take();
 }
 

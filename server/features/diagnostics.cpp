@@ -1,5 +1,7 @@
 #include "features/diagnostics.h"
 
+#include "features/numeric_diagnostics.h"
+
 namespace texbrdf::features {
 
 ShownDiagnostic shown(const Snapshot& snapshot, const Diagnostic& diagnostic) {
@@ -16,19 +18,20 @@ ShownDiagnostic shown(const Snapshot& snapshot, const Diagnostic& diagnostic) {
   return result;
 }
 
-std::vector<ShownDiagnostic> diagnostics(const Snapshot& snapshot) {
+std::vector<ShownDiagnostic> diagnostics(const Snapshot& snapshot, const NumericFindings* findings) {
   std::vector<ShownDiagnostic> all;
   if (!snapshot.is_ours()) return all;
-  for (const Diagnostic& diagnostic : snapshot.diagnostics()) {
+  for (const Diagnostic& diagnostic : diagnostics_with(snapshot, findings)) {
     if (snapshot.is_in_file(snapshot.absolute(diagnostic.where))) all.push_back(shown(snapshot, diagnostic));
   }
   return all;
 }
 
-std::vector<std::vector<ShownDiagnostic>> diagnostics_by_file(const Snapshot& snapshot) {
+std::vector<std::vector<ShownDiagnostic>> diagnostics_by_file(const Snapshot& snapshot,
+                                                              const NumericFindings* findings) {
   std::vector<std::vector<ShownDiagnostic>> files(snapshot.file_count());
   if (!snapshot.is_ours()) return files;
-  for (const Diagnostic& diagnostic : snapshot.diagnostics()) {
+  for (const Diagnostic& diagnostic : diagnostics_with(snapshot, findings)) {
     const FileId file = snapshot.place(snapshot.absolute(diagnostic.where)).file;
     files[file.value].push_back(shown(snapshot, diagnostic));
   }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "analysis/snapshot.h"
+#include "features/numeric_findings.h"
 
 namespace texbrdf::features {
 
@@ -24,9 +25,10 @@ struct ShownDiagnostic {
 
 ShownDiagnostic shown(const Snapshot& snapshot, const Diagnostic& diagnostic);
 /// All diagnostics of the file, in document order. None for a document that has nothing to do with BRDFs: another
-/// LaTeX server may serve it.
-std::vector<ShownDiagnostic> diagnostics(const Snapshot& snapshot);
+/// LaTeX server may serve it. `findings`: as for diagnostics_with.
+std::vector<ShownDiagnostic> diagnostics(const Snapshot& snapshot, const NumericFindings* findings);
 /// The same of each file of the project, by FileId; spans are still the snapshot's.
-std::vector<std::vector<ShownDiagnostic>> diagnostics_by_file(const Snapshot& snapshot);
+std::vector<std::vector<ShownDiagnostic>> diagnostics_by_file(const Snapshot& snapshot,
+                                                              const NumericFindings* findings);
 
 }  // namespace texbrdf::features

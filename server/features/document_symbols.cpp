@@ -6,8 +6,10 @@ namespace texbrdf::features {
 namespace {
 
 Symbol parameter_symbol(const Snapshot& snapshot, BlockId block, const CheckedParameter& parameter) {
-  const Span span = snapshot.parsed(block).span(parameter.node);
-  return {snapshot.names().text(parameter.name),
+  const ParsedBlock& parsed = snapshot.parsed(block);
+  const Span span = parsed.in_source(parsed.span(parameter.given));
+  const bool is_name = parameter.name.valid() && parameter.node == parameter.given;
+  return {is_name ? snapshot.names().text(parameter.name) : parsed.node_text(parameter.given),
           std::string(type_symbol(parameter.type)),
           SymbolKind::Parameter,
           block,
@@ -24,8 +26,8 @@ Symbol definition_symbol(const Snapshot& snapshot, const Definition& definition)
                 signature_text(signature),
                 signature.is_function ? SymbolKind::Function : SymbolKind::Variable,
                 definition.block,
-                definition_span(parsed, syntax),
-                parsed.span(syntax.name),
+                parsed.in_source(definition_span(parsed, syntax)),
+                parsed.in_source(parsed.span(syntax.name)),
                 {}};
   symbol.children.reserve(definition.checked->parameters.size());
   for (const CheckedParameter& parameter : definition.checked->parameters) {

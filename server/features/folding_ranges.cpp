@@ -1,19 +1,22 @@
 #include "features/folding_ranges.h"
 
 #include <optional>
+#include <string_view>
 
 namespace texbrdf::features {
 namespace {
 
 /// Relative to the block.
 std::optional<Fold> fold_of(const ParsedBlock& block) {
-  const BlockExtent& extent = block.extent;
+  const BlockExtent& extent = block.source_extent();
+  const std::string_view text = block.source();
   Fold fold{{extent.begin.end, extent.end.begin}, !extent.end.empty()};
   if (!fold.has_end) {
-    const std::size_t last = block.slice(fold.inside).find_last_not_of(" \t\r\n");
+    const std::size_t last = text.substr(fold.inside.begin, fold.inside.size()).find_last_not_of(" \t\r\n");
     fold.inside.end = fold.inside.begin + static_cast<uint32_t>(last + 1);  // 0 where there is nothing
   }
-  if (block.slice(fold.inside).find_first_of("\r\n") == std::string_view::npos) return std::nullopt;
+  if (text.substr(fold.inside.begin, fold.inside.size()).find_first_of("\r\n") == std::string_view::npos)
+    return std::nullopt;
   return fold;
 }
 

@@ -27,15 +27,31 @@ bool is_literal(const ParsedBlock& block, NodeId node) {
       return std::ranges::all_of(block.tree.children(node), [&](NodeId child) { return is_number(block, child); });
     case NodeKind::Name:
     case NodeKind::Group:
+    case NodeKind::Matrix:
+    case NodeKind::MatrixRow:
     case NodeKind::Bars:
     case NodeKind::Angles:
     case NodeKind::Infix:
     case NodeKind::Fraction:
     case NodeKind::Root:
     case NodeKind::Function:
+    case NodeKind::Degrees:
     case NodeKind::Inverse:
     case NodeKind::Extremum:
+    case NodeKind::BigOperator:
+    case NodeKind::Integral:
+    case NodeKind::Derivative:
+    case NodeKind::Range:
+    case NodeKind::Set:
+    case NodeKind::Domain:
+    case NodeKind::Differential:
     case NodeKind::Apply:
+    case NodeKind::Cases:
+    case NodeKind::Case:
+    case NodeKind::Comparison:
+    case NodeKind::Membership:
+    case NodeKind::Junction:
+    case NodeKind::Not:
     case NodeKind::Juxtaposition:
     case NodeKind::Error:
     case NodeKind::Signature:

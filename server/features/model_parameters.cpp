@@ -90,9 +90,43 @@ int decimals_for(double low, double high) {
   return std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, kMaxDecimals);
 }
 
-TextEdit replace(const Snapshot& snapshot, BlockId block, NodeId node, double value, int decimals) {
-  const ParsedBlock& parsed = snapshot.parsed(block);
-  return {snapshot.absolute(block, parsed.span(node)), number_like(parsed.node_text(node), value, decimals)};
+/// Where the digits of a literal stand, made of the expanded text of its block: in the block itself, or in the body of
+/// the macro that is nothing but the literal and stands for it alone.
+class LiteralText {
+ public:
+  static std::optional<LiteralText> find(const Snapshot& snapshot, BlockId block, Span literal) {
+    const ParsedBlock& parsed = snapshot.parsed(block);
+    if (parsed.is_replaceable(literal)) return LiteralText(snapshot, block, std::nullopt);
+    const MacroUse* const use = parsed.expansion ? parsed.expansion->maker_of(literal) : nullptr;
+    if (use == nullptr) return std::nullopt;
+    const uint32_t offset = snapshot.absolute(block, literal).begin;
+    const std::optional<MacroOccurrence> macro = snapshot.macro_at(offset);
+    const bool stands_once = macro && macro->name == use->name && snapshot.places_of_macro(macro->name).size() == 2;
+    if (!stands_once) return std::nullopt;
+    const std::string body = fmt::format("{{{}}}", parsed.slice(literal));
+    const FilePlace definition = snapshot.place(macro->definition);
+    const bool is_nothing_else = snapshot.text(definition.file).slice(definition.span).ends_with(body);
+    if (!is_nothing_else) return std::nullopt;
+    const auto size = static_cast<uint32_t>(body.size());
+    return LiteralText(snapshot, block, macro->definition.end - size + 1 - literal.begin);
+  }
+
+  Span place(Span in_block) const {
+    if (!from_block_) return snapshot_.absolute(block_, in_block);
+    return {in_block.begin + *from_block_, in_block.end + *from_block_};
+  }
+
+ private:
+  LiteralText(const Snapshot& snapshot, BlockId block, std::optional<uint32_t> from_block)
+      : snapshot_(snapshot), block_(block), from_block_(from_block) {}
+
+  const Snapshot& snapshot_;
+  BlockId block_;
+  std::optional<uint32_t> from_block_;  ///< of a body: what is added to places of the block, modulo 2³²
+};
+
+TextEdit replace(const ParsedBlock& parsed, const LiteralText& text, NodeId node, double value, int decimals) {
+  return {text.place(parsed.span(node)), number_like(parsed.node_text(node), value, decimals)};
 }
 
 }  // namespace
@@ -133,16 +167,19 @@ std::optional<std::vector<TextEdit>> parameter_edit(const Snapshot& snapshot, st
   const std::optional<LiteralPlace> place = find_literal(snapshot, name);
   if (!place || value.size() != type_components(place->literal.type)) return std::nullopt;
   if (!std::ranges::all_of(value, [](double x) { return std::isfinite(x); })) return std::nullopt;
+  const ParsedBlock& parsed = snapshot.parsed(place->block);
   const ParameterLiteral& literal = place->literal;
+  const auto text = LiteralText::find(snapshot, place->block, parsed.span(literal.literal));
+  if (!text) return std::nullopt;
   if (literal.type == Type::Real) {
     const int decimals = decimals_for(literal.minimum, literal.maximum);
-    return std::vector{replace(snapshot, place->block, literal.literal, value[0], decimals)};
+    return std::vector{replace(parsed, *text, literal.literal, value[0], decimals)};
   }
   std::vector<TextEdit> edits;
   const std::span<const NodeId> components = snapshot.parsed(place->block).tree.children(literal.literal);
   for (size_t i = 0; i < value.size(); ++i) {
     if (value[i] == literal.value[i]) continue;
-    edits.push_back(replace(snapshot, place->block, components[i], value[i], kColourDecimals));
+    edits.push_back(replace(parsed, *text, components[i], value[i], kColourDecimals));
   }
   return edits;
 }

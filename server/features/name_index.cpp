@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "source/characters.h"
 #include "syntax/control_words.h"
 
 namespace texbrdf::features {
@@ -11,10 +12,6 @@ namespace {
 constexpr std::size_t kLongestName = 200;
 /// So many are put in one by one; of more, all are sorted.
 constexpr std::size_t kFewNames = 32;
-
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
 
 /// "\vec" or "\text" for a spelling of them that stands in front with a brace behind it, which is taken off; else
 /// empty.

@@ -1,5 +1,7 @@
 #include "features/places.h"
 
+#include "analysis/equation_text.h"
+
 namespace texbrdf::features {
 
 Span node_span(const Snapshot& snapshot, BlockId block, NodeId node) {
@@ -21,6 +23,19 @@ Span definition_span(const ParsedBlock& block, const DefinitionSyntax& definitio
 
 Span name_span(const Snapshot& snapshot, DefinitionId id) {
   return node_span(snapshot, snapshot.definition(id).block, snapshot.syntax(id).name);
+}
+
+std::optional<DefinitionId> stood_for(const Snapshot& snapshot, const Occurrence& occurrence) {
+  const Referent& referent = occurrence.referent;
+  if (referent.kind == Referent::Kind::Derivative) return snapshot.find(NameId{referent.index});
+  if (referent.kind != Referent::Kind::Indexed) return std::nullopt;
+  return snapshot.find(snapshot.definition(occurrence.inside).checked->indexed[referent.index].names[0]);
+}
+
+std::string parameter_text(const Snapshot& snapshot, BlockId block, const CheckedParameter& parameter) {
+  const bool is_name = parameter.name.valid() && parameter.function == Command::None;
+  if (is_name) return std::string(snapshot.names().text(parameter.name));
+  return one_line(snapshot.parsed(block), parameter.given);
 }
 
 std::string line_name(const Snapshot& snapshot, uint32_t offset) {

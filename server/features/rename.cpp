@@ -9,6 +9,7 @@
 #include "analysis/document.h"
 #include "features/new_name.h"
 #include "features/places.h"
+#include "features/rename_macro.h"
 #include "features/rename_spelling.h"
 
 namespace texbrdf::features {
@@ -42,19 +43,97 @@ std::optional<Occurrence> name_at(const Snapshot& snapshot, uint32_t offset) {
   return std::nullopt;
 }
 
+/// `a_1` is found by `a_k`, and f by `f'`: neither would follow another name.
+std::string refusal_of_family(const Snapshot& snapshot, NameId name) {
+  for (const Definition& definition : snapshot.all_definitions()) {
+    const auto stands_for_it = [&](const Referent& referent) {
+      if (referent.kind == Referent::Kind::Derivative) return referent.index == name.value;
+      if (referent.kind != Referent::Kind::Indexed) return false;
+      return std::ranges::count(definition.checked->indexed[referent.index].names, name) > 0;
+    };
+    if (!std::ranges::any_of(definition.checked->referents, stands_for_it)) continue;
+    return fmt::format("`{}` is found by its index or derivative in `{}` and keeps its name", text_of(snapshot, name),
+                       text_of(snapshot, definition.name));
+  }
+  return {};
+}
+
+/// `\theta_m` and `m_x` would not follow another name of the vector m.
+std::string refusal_of_vector(const Snapshot& snapshot, NameId name) {
+  const Referent vector{Referent::Kind::Definition, name.value};
+  for (const Definition& definition : snapshot.all_definitions()) {
+    const auto is_named_after_it = [&](const DerivedNumber& number) { return number.vector.referent == vector; };
+    if (!std::ranges::any_of(definition.checked->derived, is_named_after_it)) continue;
+    return fmt::format("in `{}`, an angle or a component is named after `{}`", text_of(snapshot, definition.name),
+                       text_of(snapshot, name));
+  }
+  return {};
+}
+
+bool takes_argument(const Definition& definition, const Referent& argument) {
+  return std::ranges::any_of(definition.checked->implied_calls, [&](const ImpliedCall& call) {
+    return std::ranges::count(call.arguments, argument, &TypedReferent::referent) > 0;
+  });
+}
+
+bool calls_without_arguments(const Snapshot& snapshot, const Definition& definition, NameId function) {
+  const uint32_t first = snapshot.parsed(definition.block).definitions[definition.index_in_block].first_node;
+  const Referent meant{Referent::Kind::Definition, function.value};
+  return std::ranges::any_of(definition.checked->implied_calls, [&](const ImpliedCall& call) {
+    return definition.checked->referents[call.node.value - first] == meant;
+  });
+}
+
+/// A function without arguments takes what its parameters are called, and so does the BRDF.
+std::string refusal_of_argument(const Snapshot& snapshot, const Occurrence& occurrence) {
+  const bool is_parameter = occurrence.referent.kind == Referent::Kind::Parameter;
+  const NameId function = is_parameter ? snapshot.definition(occurrence.inside).name : NameId{};
+  for (const Definition& definition : snapshot.all_definitions()) {
+    const bool takes_it = is_parameter ? calls_without_arguments(snapshot, definition, function)
+                                       : takes_argument(definition, occurrence.referent);
+    if (!takes_it) continue;
+    return fmt::format("a function stands without arguments in `{}` and takes `{}` by its name",
+                       text_of(snapshot, definition.name), text_of(snapshot, occurrence.name));
+  }
+  const std::optional<DefinitionId> root = snapshot.find(snapshot.root_name());
+  if (!root) return {};
+  const Definition brdf = snapshot.definition(*root);
+  const auto is_it = [&](const CheckedParameter& parameter) { return parameter.name == occurrence.name; };
+  const bool is_given_by_name =
+      !has_brdf_parameters(brdf.checked->signature) && (!is_parameter || brdf.name == function);
+  if (!is_given_by_name || !std::ranges::any_of(brdf.checked->parameters, is_it)) return {};
+  return fmt::format("`{}` is given what its parameters are called", text_of(snapshot, brdf.name));
+}
+
 /// Why the name keeps its name whatever the new one; empty where it need not.
 std::string refusal(const Snapshot& snapshot, const Occurrence& occurrence) {
   const std::string name = text_of(snapshot, occurrence.name);
   switch (occurrence.referent.kind) {
+    case Referent::Kind::Bound:
+      return fmt::format("`{}` is the variable of a sum, integral or derivative and keeps its name", name);
+    case Referent::Kind::Transposition:
+      return fmt::format("`{}` is the sign of a transposition", name);
+    case Referent::Kind::Indexed:
+    case Referent::Kind::Derivative:
+      return fmt::format("`{}` stands for other names and keeps its own", name);
+    case Referent::Kind::BoundAngle:
     case Referent::Kind::Angle:
       return fmt::format("`{}` is named after a parameter and keeps its name", name);
     case Referent::Kind::Convention:
       return fmt::format("`{}` is a convention of the language and keeps its name", name);
+    case Referent::Kind::Derived:
+      return fmt::format("`{}` is named after a vector and keeps its name", name);
+    case Referent::Kind::Builtin:
+      return fmt::format("`{}` is a function of the language and keeps its name", name);
     case Referent::Kind::None:
       return fmt::format("nothing in this document defines `{}`", name);
-    case Referent::Kind::Definition:
+    case Referent::Kind::Definition: {
+      std::string reason = refusal_of_family(snapshot, occurrence.name);
+      if (reason.empty()) reason = refusal_of_vector(snapshot, occurrence.name);
+      return reason.empty() ? refusal_of_argument(snapshot, occurrence) : reason;
+    }
     case Referent::Kind::Parameter:
-      break;
+      return refusal_of_argument(snapshot, occurrence);
   }
   return {};
 }
@@ -158,7 +237,10 @@ std::vector<TextEdit> edits_in_equations(const Snapshot& snapshot, std::span<con
   for (const Occurrence& place : places) {
     const ParsedBlock& block = snapshot.parsed(place.block);
     if (block.node_text(place.node) == name) continue;
-    result.push_back({place.span, spelled_in_place(block, place.node, name)});
+    std::string spelled = spelled_in_place(block, place.node, name);
+    // A macro's argument without braces is one symbol.
+    if (!block.is_replaceable(block.span(place.node))) spelled = fmt::format("{{{}}}", name);
+    result.push_back({place.span, std::move(spelled)});
   }
   return result;
 }
@@ -207,9 +289,10 @@ Document edited(const Snapshot& snapshot, std::span<const TextEdit> edits) {
     const FilePlace place = snapshot.place(edit.span);
     by_file[place.file.value].push_back({place.span, edit.text});
   }
-  Document document(applied(snapshot.text(FileId{0}), by_file.front()));
+  Document document(applied(snapshot.text(FileId{0}), by_file.front()), snapshot.language(FileId{0}));
   for (uint32_t file = 1; file < by_file.size(); ++file) {
-    document.insert_file({file}, SourceText(applied(snapshot.text(FileId{file}), by_file[file])));
+    document.insert_file({file}, SourceText(applied(snapshot.text(FileId{file}), by_file[file])),
+                         snapshot.language(FileId{file}));
   }
   return document;
 }
@@ -231,14 +314,14 @@ std::string root_conflict(const Snapshot& snapshot, std::string_view old_name, s
 
 Result<std::optional<RenameTarget>> renamable_at(const Snapshot& snapshot, uint32_t offset) {
   const auto occurrence = name_at(snapshot, offset);
-  if (!occurrence) return std::optional<RenameTarget>{};
+  if (!occurrence) return renamable_macro_at(snapshot, offset);
   if (std::string reason = refusal(snapshot, *occurrence); !reason.empty()) return Failure{std::move(reason)};
   return std::optional(RenameTarget{occurrence->span, snapshot.text().slice(occurrence->span)});
 }
 
 Result<std::vector<TextEdit>> rename(const Snapshot& snapshot, uint32_t offset, std::string_view new_name) {
   const auto occurrence = name_at(snapshot, offset);
-  if (!occurrence) return Failure{"no name stands here"};
+  if (!occurrence) return rename_macro(snapshot, offset, new_name);
   if (std::string reason = refusal(snapshot, *occurrence); !reason.empty()) return Failure{std::move(reason)};
   const Result<NewName> read = read_new_name(new_name);
   if (!read) return Failure{read.error()};
@@ -246,6 +329,10 @@ Result<std::vector<TextEdit>> rename(const Snapshot& snapshot, uint32_t offset, 
   const bool is_same_name = new_id == occurrence->name;
   const Conflicts conflicts(snapshot, *occurrence, *read, new_id);
   const std::vector<Occurrence> places = snapshot.occurrences_of(*occurrence);
+  if (const auto made = std::ranges::find_if(places, &Occurrence::is_made); made != places.end()) {
+    return Failure{fmt::format("a macro writes `{}` on {}", text_of(snapshot, occurrence->name),
+                               line_name(snapshot, made->span.begin))};
+  }
   if (occurrence->referent.kind == Referent::Kind::Parameter) {
     if (std::string conflict = is_same_name ? "" : conflicts.of_parameter(); !conflict.empty()) {
       return Failure{std::move(conflict)};

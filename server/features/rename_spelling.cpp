@@ -2,15 +2,10 @@
 
 #include <algorithm>
 
+#include "source/characters.h"
+
 namespace texbrdf::features {
 namespace {
-
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 /// `\cos` and `x` would be one command, `x_1` and `2` one subscript, `2` and `e` the start of a number.
 bool would_join(char left, char right) {

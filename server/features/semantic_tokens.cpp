@@ -78,14 +78,25 @@ class NameReader {
         bit(SemanticModifier::Definition));
     if (is_function) {
       for (const NodeId parameter : block_.tree.children(definition.left).subspan(1)) {
-        if (!name_of(parameter.value).valid()) continue;
-        parameters_.push_back(name_of(parameter.value));
-        add(parameter, SemanticType::Parameter, bit(SemanticModifier::Declaration));
+        const NodeId name = block_.parameter_name(parameter);
+        if (!name.valid() || !name_of(name.value).valid()) continue;
+        parameters_.push_back(name_of(name.value));
+        add(name, SemanticType::Parameter, bit(SemanticModifier::Declaration));
       }
       std::ranges::sort(parameters_);
+      read_expressions(definition.left);
     }
     read_nodes(definition.left.value + 1, definition.node.value);
     parameters_.clear();
+  }
+
+  /// Names in `f(\phi_r - \phi_i)`, which mean what they mean in the document.
+  void read_expressions(NodeId signature) {
+    uint32_t behind = block_.tree.child(signature, 0).value + 1;
+    for (const NodeId parameter : block_.tree.children(signature).subspan(1)) {
+      if (!block_.parameter_name(parameter).valid()) read_nodes(behind, parameter.value + 1);
+      behind = parameter.value + 1;
+    }
   }
 
   void read_nodes(uint32_t begin, uint32_t end) {
@@ -102,7 +113,7 @@ class NameReader {
   void read_reference(NodeId node) {
     const NameId name = name_of(node.value);
     const bool is_convention = table_.traits(name).meaning().has_value();
-    if (std::ranges::binary_search(parameters_, name)) {
+    if (names_.bound_use(node) != nullptr || std::ranges::binary_search(parameters_, name)) {
       add(node, SemanticType::Parameter, 0);
     } else if (is_convention && !hidden_.contains(name)) {
       add(node, SemanticType::Variable, bit(SemanticModifier::DefaultLibrary));
@@ -127,7 +138,7 @@ class NameReader {
   std::vector<ShownName> shown_;
 };
 
-/// A name that goes on in the next line becomes a token on each, without the white space around.
+/// What goes on in the next line becomes a token on each, without the white space around.
 void add_lines(std::vector<SemanticToken>& tokens, const ParsedBlock& block, SemanticToken token) {
   const std::string_view text = block.slice(token.span);
   if (text.find_first_of("\r\n") == std::string_view::npos) {
@@ -145,6 +156,26 @@ void add_lines(std::vector<SemanticToken>& tokens, const ParsedBlock& block, Sem
     tokens.push_back(piece);
     at = end;
   }
+}
+
+/// Those that stand in the source, and the macros in it.
+std::vector<SemanticToken> tokens_in_source(const std::vector<SemanticToken>& tokens, const MacroExpansion& expansion) {
+  std::vector<SemanticToken> result;
+  for (SemanticToken token : tokens) {
+    if (!expansion.is_written(token.span)) continue;
+    token.span = expansion.in_source(token.span);
+    result.push_back(token);
+  }
+  for (const MacroUse& use : expansion.uses()) result.push_back({use.command, SemanticType::Macro, 0});
+  // An argument may stand in the expansion twice, or behind one that follows it.
+  std::ranges::stable_sort(result, {}, &SemanticToken::span);
+  uint32_t end = 0;
+  std::erase_if(result, [&](const SemanticToken& token) {
+    if (token.span.begin < end) return true;
+    end = token.span.end;
+    return false;
+  });
+  return result;
 }
 
 }  // namespace
@@ -183,9 +214,10 @@ std::vector<SemanticToken> block_tokens(const Snapshot& snapshot, BlockId block,
       continue;
     }
     const std::optional<SemanticType> type = kTypes[static_cast<std::size_t>(parsed.tokens[token].kind)];
-    if (type) tokens.push_back({parsed.tokens[token].span, *type, 0});
+    if (type) add_lines(tokens, parsed, {parsed.tokens[token].span, *type, 0});
     ++token;
   }
+  if (parsed.expansion) return tokens_in_source(tokens, *parsed.expansion);
   return tokens;
 }
 
@@ -196,8 +228,9 @@ std::vector<SemanticToken> semantic_tokens(const Snapshot& snapshot, Span range)
   for (uint32_t i = snapshot.block_at(range.begin).value_or(BlockId{}).value; i < count; ++i) {
     const BlockId block{i};
     if (snapshot.absolute(block, {}).begin > range.end) break;
+    const uint32_t offset = snapshot.absolute(block, {}).begin;
     for (SemanticToken token : block_tokens(snapshot, block, hidden)) {
-      token.span = snapshot.absolute(block, token.span);
+      token.span = {offset + token.span.begin, offset + token.span.end};
       if (token.span.begin <= range.end && token.span.end >= range.begin) tokens.push_back(token);
     }
   }

@@ -46,8 +46,9 @@ class HiddenConventions {
   std::vector<NameId> defined_;  ///< in order
 };
 
-/// In the order of the text, spans relative to the block. Names, numbers, operators and commands inside the block; a
-/// name is one token with its decoration and subscripts. Names keep their kinds while the block has errors.
+/// In the order of the text, spans relative to the block as it is written. Names, numbers, operators and commands
+/// inside the block; a name is one token with its decoration and subscripts. Names keep their kinds while the block has
+/// errors.
 std::vector<SemanticToken> block_tokens(const Snapshot& snapshot, BlockId block, const HiddenConventions& hidden);
 
 /// Tokens that the range holds or touches, with absolute spans.

@@ -6,6 +6,7 @@
 
 #include "features/caret.h"
 #include "features/demand.h"
+#include "features/places.h"
 
 namespace texbrdf::features {
 namespace {
@@ -34,12 +35,24 @@ SignatureHelp help_of_function(const Snapshot& snapshot, DefinitionId id, Markup
   label.text(snapshot.names().text(function.name));
   label.text("(");
   for (const CheckedParameter& parameter : function.checked->parameters) {
-    const std::string_view name = parameter.name.valid() ? snapshot.names().text(parameter.name) : "?";
+    const std::string name = parameter_text(snapshot, function.block, parameter);
     label.parameter(fmt::format("{}: {}", name, type_symbol(parameter.type)));
   }
   label.text(fmt::format("): {}", type_symbol(function.checked->signature.result)));
   SignatureHelp help = label.take();
   help.documentation = describe_definition(snapshot, id, markup);
+  return help;
+}
+
+SignatureHelp help_of_builtin(std::string_view name, Builtin function, Markup markup) {
+  const Signature& signature = builtin_entry(function).signature;
+  Label label;
+  label.text(name == kStepFunction ? "\\chi^+" : name);
+  label.text("(");
+  for (const Type type : signature.parameters) label.parameter(type_symbol(type));
+  label.text(fmt::format("): {}", type_symbol(signature.result)));
+  SignatureHelp help = label.take();
+  help.documentation = describe_builtin(name, function, markup);
   return help;
 }
 
@@ -63,6 +76,9 @@ std::optional<SignatureHelp> help_in(const Snapshot& snapshot, BlockId block, co
   } else if (const auto function = callee(snapshot, block, bracket)) {
     const Definition& definition = snapshot.definition(*function);
     if (definition.checked->signature.is_function) help = help_of_function(snapshot, *function, markup);
+  } else {
+    const std::string name = called_name(snapshot, block, bracket);
+    if (const auto builtin = find_builtin(name)) help = help_of_builtin(name, *builtin, markup);
   }
   if (help) help->active = std::min(bracket.commas, static_cast<uint32_t>(help->parameters.size()));
   return help;

@@ -17,7 +17,9 @@ using features::CompletionKind;
 constexpr auto kKinds = std::to_array<std::pair<std::string_view, CompletionKind>>({
     {"parameter", CompletionKind::Parameter},
     {"definition", CompletionKind::Definition},
+    {"macro", CompletionKind::Macro},
     {"convention", CompletionKind::Convention},
+    {"builtin", CompletionKind::Builtin},
     {"command", CompletionKind::Command},
     {"letter", CompletionKind::Letter},
 });
@@ -49,8 +51,12 @@ int kind_number(const features::CompletionItem& item) {
       return kVariable;
     case CompletionKind::Definition:
       return item.is_function ? kFunction : kVariable;
+    case CompletionKind::Macro:
+      return item.is_snippet ? kSnippet : kText;
     case CompletionKind::Convention:
       return kValue;
+    case CompletionKind::Builtin:
+      return kFunction;
     case CompletionKind::Command:
       return item.is_snippet ? kSnippet : kKeyword;
     case CompletionKind::Letter:

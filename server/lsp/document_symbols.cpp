@@ -49,7 +49,7 @@ void write_parameter(JsonWriter& out, const features::Symbol& parameter, Range r
 class BlockWriter {
  public:
   BlockWriter(JsonWriter& out, const ParsedBlock& block, ColumnUnit unit, Position begin)
-      : out_(out), walk_(block.text, unit, begin) {}
+      : out_(out), walk_(block.source(), unit, begin) {}
 
   void write(const features::Symbol& symbol) {
     Range whole;

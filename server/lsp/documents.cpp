@@ -1,15 +1,31 @@
 #include "lsp/documents.h"
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include "lsp/uri.h"
 
 namespace texbrdf::lsp {
+namespace {
 
-OpenDocument& Documents::open(std::string uri, std::string_view text, int64_t version) {
+constexpr auto kMarkdownIds = std::to_array<std::string_view>({"markdown", "mdx", "rmd", "rmarkdown", "quarto"});
+constexpr auto kLatexIds = std::to_array<std::string_view>({"latex", "tex"});
+
+TextLanguage language_of(std::string_view id, std::string_view path) {
+  if (std::ranges::find(kMarkdownIds, id) != kMarkdownIds.end()) return TextLanguage::Markdown;
+  if (std::ranges::find(kLatexIds, id) != kLatexIds.end()) return TextLanguage::Latex;
+  return language_of_path(path);
+}
+
+}  // namespace
+
+OpenDocument& Documents::open(std::string uri, std::string_view text, int64_t version, std::string_view language_id) {
   close(uri);
   const bool is_file = uri.starts_with("file:");
-  Buffer& buffer = projects_.open(is_file ? real_path(shown_path(uri)) : uri, SourceText(text));
+  std::string path = is_file ? real_path(shown_path(uri)) : uri;
+  const TextLanguage language = language_of(language_id, path);
+  Buffer& buffer = projects_.open(std::move(path), SourceText(text), language);
   OpenDocument document{uri, ProjectDocument(projects_, buffer), version};
   return documents_.emplace(std::move(uri), std::move(document)).first->second;
 }
@@ -38,6 +54,7 @@ void Documents::start_anew() {
   projects_.start_anew();
   for (auto& [uri, document] : documents_) {
     document.shown_state = 0;
+    document.lacks_findings = false;
     document.semantic_tokens = {};
     document.symbols = {};
     document.name_index = {};

@@ -18,12 +18,13 @@ struct OpenDocument {
   std::string uri;
   ProjectDocument document;
   std::optional<int64_t> version;
-  bool published = false;    ///< the client has the diagnostics of this version
-  uint64_t shown_state = 0;  ///< of its project when they were published
-  std::string items = {};    ///< what was published, of a project with several files
-  uint64_t pulled_id = 0;    ///< of the last result that the client pulled; 0: none
-  std::string pulled = {};   ///< that result's diagnostics as JSON
-  uint64_t touched = 0;      ///< the larger, the later it was opened or edited
+  bool published = false;       ///< the client has the diagnostics of this version
+  bool lacks_findings = false;  ///< what was published or pulled last did not have all that is computed
+  uint64_t shown_state = 0;     ///< of its project when they were published
+  std::string items = {};       ///< what was published, of a project with several files
+  uint64_t pulled_id = 0;       ///< of the last result that the client pulled; 0: none
+  std::string pulled = {};      ///< that result's diagnostics as JSON
+  uint64_t touched = 0;         ///< the larger, the later it was opened or edited
 
   SemanticTokenCache semantic_tokens = {};
   SymbolCache symbols = {};
@@ -33,7 +34,8 @@ struct OpenDocument {
 /// The documents that the client has open, by their URIs as the client writes them.
 class Documents {
  public:
-  OpenDocument& open(std::string uri, std::string_view text, int64_t version);
+  /// `language_id`: as the client names it; where that says nothing, the path decides.
+  OpenDocument& open(std::string uri, std::string_view text, int64_t version, std::string_view language_id);
   /// False where it was not open.
   bool close(std::string_view uri);
   void clear() {

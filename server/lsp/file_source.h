@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "source/source_text.h"
+#include "source/text_language.h"
 
 namespace texbrdf::lsp {
 
@@ -21,6 +22,7 @@ class FileSource {
   virtual bool exists(const std::string& path) const = 0;
   /// Nothing where it cannot be read.
   virtual std::optional<SourceText> text(const std::string& path) = 0;
+  virtual TextLanguage language(const std::string& path) const { return language_of_path(path); }
 };
 
 /// Absolute, without `.`, `..` and, as far as it exists, without symbolic links; empty where that cannot be had.

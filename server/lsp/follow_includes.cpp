@@ -99,7 +99,7 @@ class Walk {
       text = source_.text(path);
     }
     if (!text) return false;
-    document_.insert_file({next_}, *text);
+    document_.insert_file({next_}, *text, source_.language(path));
     paths_.insert(paths_.begin() + next_, path);
     return true;
   }

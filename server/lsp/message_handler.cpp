@@ -160,6 +160,15 @@ void MessageHandler::publish_next() {
   log_.debug(fmt::format("textDocument/publishDiagnostics: {:.3f} ms", watch.milliseconds()));
 }
 
+void MessageHandler::take_findings() {
+  if (is_resting()) return;
+  try {
+    session_.take_findings();
+  } catch (const std::exception& fault) {
+    recover("findings", fault);
+  }
+}
+
 void MessageHandler::use_idle_time() {
   if (is_resting()) return;
   try {

@@ -33,6 +33,8 @@ class MessageHandler {
   bool has_publications();
   /// Sends the diagnostics of one document that the client lacks.
   void publish_next();
+  /// What was computed since the last time becomes part of what is published.
+  void take_findings();
   /// While there is nothing else to do: previews follow their documents, and the next edits are prepared.
   void use_idle_time();
 

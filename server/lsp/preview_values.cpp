@@ -14,20 +14,10 @@ namespace {
 /// Of the reference evaluator for one value: some 10 ms.
 constexpr uint64_t kMaxProbeSteps = 500'000;
 
-std::string_view type_word(Type type) {
-  switch (type) {
-    case Type::Real:
-      return "real";
-    case Type::Colour:
-      return "colour";
-    case Type::Vector:
-    case Type::Tuple:
-      return "vector";
-    case Type::Boolean:
-    case Type::Error:
-      break;
-  }
-  return "";
+std::string_view protocol_type(Type type) {
+  if (type == Type::Real) return "real";
+  if (type == Type::Colour) return "colour";
+  return is_triple(type) ? "vector" : "";
 }
 
 std::string_view kind_word(render::BadPixel kind) {
@@ -99,7 +89,7 @@ class ProbeWriter {
       out_.key("definition");
       out_.begin_object();
       out_.member("name", quantity->name);
-      out_.member("type", type_word(quantity->type));
+      out_.member("type", protocol_type(quantity->type));
       write_value_of(*quantity);
       out_.end_object();
     }
@@ -193,7 +183,7 @@ Session::Outcome Session::quantities(const ModelParams& params, JsonWriter& resu
     result.begin_object();
     result.member("name", quantity.name);
     result.member("label", label_of(snapshot, quantity.name));
-    result.member("type", type_word(quantity.type));
+    result.member("type", protocol_type(quantity.type));
     result.end_object();
   };
   result.begin_array();

@@ -32,8 +32,8 @@ std::string head_of(const SourceText& text) {
   return text.slice({0, std::min<uint32_t>(text.size(), kHeadBytes)});
 }
 
-std::vector<IncludeTarget> includes_of(const std::string& bytes) {
-  return Document(bytes).includes();
+std::vector<IncludeTarget> includes_of(std::string_view bytes, TextLanguage language) {
+  return Document(bytes, language).includes();
 }
 
 /// The LaTeX files of a folder, in the order of their names.
@@ -62,8 +62,9 @@ void Projects::set_folders(std::span<const std::string> paths) {
   disk_changed();
 }
 
-Buffer& Projects::open(std::string path, SourceText text) {
-  buffers_.push_back(std::make_unique<Buffer>(Buffer{std::move(path), std::move(text), nullptr, {}}));
+Buffer& Projects::open(std::string path, SourceText text, TextLanguage language) {
+  buffers_.push_back(std::make_unique<Buffer>(
+      Buffer{.path = std::move(path), .text = std::move(text), .file = {}, .language = language}));
   is_settled_ = false;
   return *buffers_.back();
 }
@@ -136,12 +137,20 @@ std::optional<SourceText> Projects::text(const std::string& path) {
   return SourceText(*bytes);
 }
 
+TextLanguage Projects::language(const std::string& path) const {
+  const Buffer* buffer = find_buffer(path);
+  return buffer != nullptr ? buffer->language : language_of_path(path);
+}
+
 void Projects::take_texts(Buffer& buffer) {
   for (const features::TextEdit& edit : buffer.edits) take_edit(buffer, edit);
   buffer.edits.clear();
   if (!buffer.is_new) return;
   for (const auto& project : projects_) {
-    if (const auto file = project->find(buffer.path)) project->document.set_text(*file, buffer.text.bytes());
+    const auto file = project->find(buffer.path);
+    if (!file) continue;
+    project->document.set_language(*file, buffer.language);
+    project->document.set_text(*file, buffer.text.bytes());
   }
   buffer.is_new = false;
 }
@@ -176,7 +185,10 @@ void Projects::reread_changed(Project& project) {
     project.stamps[file] = stamp;
     project.state = ++last_state_;
     is_settled_ = false;
-    if (const std::optional<std::string> bytes = read_file(path)) project.document.set_text({file}, *bytes);
+    const std::optional<std::string> bytes = read_file(path);
+    if (!bytes) continue;
+    project.document.set_language({file}, language(path));
+    project.document.set_text({file}, *bytes);
   }
 }
 
@@ -290,13 +302,14 @@ const Projects::KnownFile& Projects::look_into(const std::string& path) {
   KnownFile& known = known_[path];
   if (const Buffer* buffer = find_buffer(path)) {
     const std::string bytes = buffer->text.bytes();
-    known = {{}, includes_of(bytes), named_root(path, std::string_view(bytes).substr(0, kHeadBytes))};
+    known = {{}, includes_of(bytes, buffer->language), named_root(path, std::string_view(bytes).substr(0, kHeadBytes))};
     return known;
   }
   const FileStamp stamp = stamp_of(path);
   if (known.stamp == stamp) return known;
   const std::string bytes = read_file(path).value_or(std::string());
-  known = {stamp, includes_of(bytes), named_root(path, std::string_view(bytes).substr(0, kHeadBytes))};
+  known = {stamp, includes_of(bytes, language_of_path(path)),
+           named_root(path, std::string_view(bytes).substr(0, kHeadBytes))};
   return known;
 }
 
@@ -308,8 +321,8 @@ Project* Projects::project_of_root(const std::string& root) {
   const FileStamp stamp = stamp_of(root);
   std::optional<SourceText> bytes = text(root);
   if (!bytes) return nullptr;
-  projects_.push_back(std::make_unique<Project>(
-      Project{.document = Document(*std::move(bytes)), .paths = {root}, .stamps = {stamp}, .includes = {}}));
+  projects_.push_back(std::make_unique<Project>(Project{
+      .document = Document(*std::move(bytes), language(root)), .paths = {root}, .stamps = {stamp}, .includes = {}}));
   follow(*projects_.back());
   return projects_.back().get();
 }

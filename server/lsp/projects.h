@@ -33,6 +33,7 @@ struct Buffer {
   FileId file;                                 ///< in its home
   bool is_new = true;                          ///< projects that have the file have its text on the disk
   std::vector<features::TextEdit> edits = {};  ///< that no project has made yet
+  TextLanguage language = TextLanguage::Latex;
 };
 
 /// Keeps the projects of the open documents. What the client has open is never read from the disk.
@@ -41,7 +42,7 @@ class Projects final : public FileSource {
   /// Only files below them are read.
   void set_folders(std::span<const std::string> paths);
 
-  Buffer& open(std::string path, SourceText text);
+  Buffer& open(std::string path, SourceText text, TextLanguage language = TextLanguage::Latex);
   void close(Buffer& buffer);
   void replace(Buffer& buffer, Span span, std::string_view replacement);
   /// Drops all that was found out about the texts. They themselves cannot be lost to a fault in finding it out.
@@ -60,6 +61,7 @@ class Projects final : public FileSource {
   bool may_read(std::string_view path) const override;
   bool exists(const std::string& path) const override;
   std::optional<SourceText> text(const std::string& path) override;
+  TextLanguage language(const std::string& path) const override;
 
  private:
   void take_texts(Buffer& buffer);

@@ -66,6 +66,7 @@ Session::Outcome Session::stats(const NoParams&, JsonWriter& result) {
     result.member("blocksScanned", counters.blocks_scanned);
     result.member("blocksParsed", counters.blocks_parsed);
     result.member("definitionsChecked", counters.definitions_checked);
+    result.member("diagnosticsPending", pushes_diagnostics() && (!open.published || open.lacks_findings));
     result.end_object();
   }
   result.end_array();

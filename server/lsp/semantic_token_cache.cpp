@@ -93,7 +93,7 @@ std::vector<Entry> SemanticTokenCache::encode(const Snapshot& snapshot, uint32_t
       entry.run = found->second->run;
     } else {
       entry.run = std::make_shared<const TokenRun>(
-          encode_run(parsed.text, features::block_tokens(snapshot, BlockId{i}, *hidden_), unit));
+          encode_run(parsed.source(), features::block_tokens(snapshot, BlockId{i}, *hidden_), unit));
     }
     entry.count = entry.run->count;
   }

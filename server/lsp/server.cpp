@@ -39,7 +39,7 @@ class Server {
         session_(log, client_process_, options.version, options.docs_url),
         handler_(session_, methods_, log, [&channel](std::string body) { channel.write(frame(std::move(body))); }) {
     session_.bind_methods(methods_);
-    if (options.draws_previews) session_.connect_wake([&channel] { channel.wake(); });
+    if (options.starts_threads) session_.connect_wake([&channel] { channel.wake(); });
     if (options.preview_port) serve_browsers(*options.preview_port);
   }
 
@@ -64,6 +64,7 @@ class Server {
 int Server::run() {
   while (session_.phase() != Session::Phase::Exited) {
     session_.send_frames();
+    handler_.take_findings();
     const bool idle = queue_.empty() && !handler_.has_publications();
     if (idle) handler_.use_idle_time();
     const Channel::Status status = queue_.receive(idle ? kProcessCheckMs : 0);

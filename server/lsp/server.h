@@ -21,8 +21,8 @@ struct ServerOptions {
   std::string log_file = {};  ///< empty: standard error
   std::string version = {};   ///< of the program, for `serverInfo` and the log
   std::string docs_url = kDefaultDocsUrl;
-  /// False: previews have values but no pictures, so that no thread and no child is started.
-  bool draws_previews = true;
+  /// False: previews have values but no pictures, and diagnostics wait for all that is computed for them.
+  bool starts_threads = true;
   std::optional<uint16_t> preview_port = {};  ///< previews for browsers; 0: any port that is free; nothing: none
   /// False once the process of that id is gone; empty: the system is asked.
   std::function<bool(int64_t)> process_alive = {};

@@ -23,6 +23,7 @@
 #include "lsp/documents.h"
 #include "lsp/json_rpc.h"
 #include "lsp/json_writer.h"
+#include "lsp/late_findings.h"
 #include "lsp/log.h"
 #include "lsp/outbox.h"
 #include "lsp/positions.h"
@@ -89,11 +90,17 @@ class Session {
   void prepare_for_edits() {
     for (auto& [uri, open] : documents_.all()) open.document.prepare_for_edits();
   }
-  /// `wake` may be called by any thread: `send_frames` then has something to send. Without it nothing is drawn.
-  void connect_wake(std::function<void()> wake) { previews_.connect(std::move(wake)); }
+  /// `wake` may be called by any thread: `send_frames` and `take_findings` then have something to take. Without it
+  /// nothing is drawn, and diagnostics wait for all that is computed for them.
+  void connect_wake(std::function<void()> wake) {
+    late_findings_.connect(wake);
+    previews_.connect(std::move(wake));
+  }
   /// Has what the previews show drawn anew where their documents have changed.
   void refresh_previews();
   void send_frames();
+  /// Documents whose diagnostics had to do without what has now been computed are published once more.
+  void take_findings();
 
   /// Whose message is handled next.
   void serve(ViewerId viewer);
@@ -156,9 +163,11 @@ class Session {
   // shown_diagnostics.cpp
   Outcome diagnostic(const PullParams& params, JsonWriter& result);
   bool is_pulled() const;
+  LateFindings::Findings findings_for_pull(OpenDocument& open, const Snapshot& snapshot);
   bool pushes_diagnostics() const { return settings_.shows(Feature::Diagnostics) && !is_pulled(); }
   void publish_anew(bool pushed_before);
-  std::vector<std::vector<features::ShownDiagnostic>> shown_by_file(const Snapshot& snapshot) const;
+  std::vector<std::vector<features::ShownDiagnostic>> shown_by_file(const Snapshot& snapshot,
+                                                                    const features::NumericFindings* findings) const;
   std::vector<features::ShownDiagnostic> as_set(std::vector<features::ShownDiagnostic> shown) const;
   DiagnosticStyle diagnostic_style() const;
 
@@ -260,6 +269,7 @@ class Session {
   ViewerId speaker_ = kEditor;                          ///< whose message is being handled
   Browsers browsers_;
   Previews previews_;
+  LateFindings late_findings_;
   std::optional<preview::ExpressionSampler> sampler_;  ///< from the first hover that needs it
   Outbox outbox_;
 };

@@ -30,8 +30,9 @@ DiagnosticStyle Session::diagnostic_style() const {
   return {client_.related_information, client_.code_description, client_.diagnostic_tags, docs_url_};
 }
 
-std::vector<std::vector<features::ShownDiagnostic>> Session::shown_by_file(const Snapshot& snapshot) const {
-  std::vector<std::vector<features::ShownDiagnostic>> files = features::diagnostics_by_file(snapshot);
+std::vector<std::vector<features::ShownDiagnostic>> Session::shown_by_file(
+    const Snapshot& snapshot, const features::NumericFindings* findings) const {
+  std::vector<std::vector<features::ShownDiagnostic>> files = features::diagnostics_by_file(snapshot, findings);
   for (std::vector<features::ShownDiagnostic>& shown : files) shown = as_set(std::move(shown));
   return files;
 }
@@ -69,8 +70,10 @@ void Session::write_next_publication(JsonWriter& out) {
   require(open != nullptr, "nothing to publish");
   open->published = true;
   const Snapshot& snapshot = open->document.snapshot();
+  const LateFindings::Findings findings = late_findings_.of(open->uri, snapshot);
+  open->lacks_findings = findings == nullptr;
   Positions places = positions(*open);
-  const std::vector<std::vector<features::ShownDiagnostic>> by_file = shown_by_file(snapshot);
+  const std::vector<std::vector<features::ShownDiagnostic>> by_file = shown_by_file(snapshot, findings.get());
   const std::vector<features::ShownDiagnostic>& own = by_file[snapshot.file().value];
   write_diagnostics(out, places, open->uri, open->version, own, diagnostic_style());
   show_elsewhere(*open, by_file);
@@ -90,14 +93,40 @@ void Session::publish_anew(bool pushed_before) {
   }
 }
 
+/// An answer is the last word for a client that cannot be asked to pull again.
+LateFindings::Findings Session::findings_for_pull(OpenDocument& open, const Snapshot& snapshot) {
+  if (!is_kept(Feature::Diagnostics)) return late_findings_.wait_for(snapshot);
+  LateFindings::Findings findings = late_findings_.of(open.uri, snapshot);
+  open.lacks_findings = findings == nullptr;
+  return findings;
+}
+
+void Session::take_findings() {
+  for (const std::string& fault : late_findings_.take_faults()) log_.error(fault);
+  bool is_news = false;
+  for (const std::string& uri : late_findings_.take_found()) {
+    OpenDocument* const open = documents_.find(uri);
+    if (open == nullptr || !open->lacks_findings) continue;
+    const LateFindings::Findings findings = late_findings_.of(uri, open->document.snapshot());
+    if (findings == nullptr) continue;  // the text has changed since
+    open->lacks_findings = false;
+    if (findings->is_silent()) continue;
+    open->published = false;
+    is_news = true;
+  }
+  if (is_news && is_kept(Feature::Diagnostics)) outbox_.request("workspace/diagnostic/refresh");
+}
+
 /// The id stands for the diagnostics themselves: an edit that changes none of them leaves the client's result good.
 Session::Outcome Session::diagnostic(const PullParams& params, JsonWriter& result) {
   OpenDocument* open = documents_.find(params.uri);
   if (open == nullptr) return not_open(params.uri);
   const Snapshot& snapshot = open->document.snapshot();
   Positions places = positions(*open);
+  const LateFindings::Findings findings = findings_for_pull(*open, snapshot);
   JsonWriter items;
-  write_diagnostic_items(items, places, open->uri, as_set(features::diagnostics(snapshot)), diagnostic_style());
+  write_diagnostic_items(items, places, open->uri, as_set(features::diagnostics(snapshot, findings.get())),
+                         diagnostic_style());
   if (open->pulled_id == 0 || open->pulled != items.text()) {
     open->pulled_id = ++last_result_;
     open->pulled = items.take();

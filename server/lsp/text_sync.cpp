@@ -23,7 +23,7 @@ std::string Session::did_open(const DidOpenParams& params) {
   if (params.text.size() > SourceText::kMaxBytes) return "the document is too long";
   std::erase(closed_, params.uri);
   previews_.note_change();
-  OpenDocument& open = documents_.open(params.uri, params.text, params.version);
+  OpenDocument& open = documents_.open(params.uri, params.text, params.version, params.language_id);
   open.touched = ++last_touch_;
   log_.debug(fmt::format("{} is open, {}, version {}, {} bytes", shown_path(params.uri), params.language_id,
                          params.version, params.text.size()));
@@ -65,6 +65,7 @@ std::string Session::did_close(const DocumentParams& params) {
   if (!documents_.close(params.uri)) return closed_problem(params.uri);
   if (pushes_diagnostics()) closed_.push_back(params.uri);
   previews_.close_all(params.uri);
+  late_findings_.forget(params.uri);
   return {};
 }
 

@@ -13,6 +13,7 @@
 
 #include "analysis/document.h"
 #include "diagnostics/diagnostic.h"
+#include "features/numeric_diagnostics.h"
 
 namespace texbrdf {
 namespace {
@@ -72,7 +73,7 @@ TEST(Catalogue, TheDocumentsGiveExactlyTheCodesTheyAnnounce) {
     Document document(text);
     document.set_include_problems(include_problems(document));
     std::vector<std::string> given;
-    for (const Diagnostic& diagnostic : document.snapshot().diagnostics()) {
+    for (const Diagnostic& diagnostic : features::all_diagnostics(document.snapshot())) {
       given.push_back(code_name(diagnostic.code));
       EXPECT_EQ(message(diagnostic).find("{0}"), std::string::npos) << message(diagnostic);
     }

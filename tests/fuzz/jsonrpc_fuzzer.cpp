@@ -55,7 +55,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, std::size_t size) {
   MemoryChannel channel(input.front() == '#' ? framed(input.substr(input.find('\n') + 1)) : std::string(input));
   Log log(LogLevel::Trace, [](std::string_view) {});
   ServerOptions options;
-  options.draws_previews = false;
+  options.starts_threads = false;
   options.process_alive = [](int64_t) { return true; };
   run_server(channel, log, options);
   return 0;

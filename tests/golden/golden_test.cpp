@@ -74,11 +74,18 @@ std::vector<fs::path> documents_in(const fs::path& folder) {
   return result;
 }
 
+/// In a filter of tests, `-` begins what is left out.
+std::string suite_name(const fs::path& document) {
+  std::string name = document.stem().string();
+  std::ranges::replace(name, '-', '_');
+  return name;
+}
+
 void add_tests(const fs::path& document, const fs::path& golden_folder, const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     const Stage& stage = stage_named(name, document);
     fs::path golden = golden_folder / document.stem().concat("." + name);
-    testing::RegisterTest(document.stem().c_str(), name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
+    testing::RegisterTest(suite_name(document).c_str(), name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
                           [=, &stage]() -> testing::Test* { return new GoldenTest(document, golden, stage); });
   }
 }

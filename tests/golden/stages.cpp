@@ -3,6 +3,7 @@
 #include <array>
 #include <functional>
 
+#include "analysis/equation_text.h"
 #include "emit/emit.h"
 #include "ir/print.h"
 #include "syntax/print_source.h"
@@ -28,6 +29,12 @@ std::string tree(const Snapshot& snapshot) {
   return of_each_block(snapshot, print_tree_text);
 }
 
+std::string name_of(const Snapshot& snapshot, BlockId block, const CheckedParameter& parameter) {
+  const bool is_name = parameter.name.valid() && parameter.function == Command::None;
+  return is_name ? std::string(snapshot.names().text(parameter.name))
+                 : one_line(snapshot.parsed(block), parameter.given);
+}
+
 /// `name: signature`, and how the types of parameters were decided.
 std::string types(const Snapshot& snapshot) {
   std::string out;
@@ -37,8 +44,7 @@ std::string types(const Snapshot& snapshot) {
     if (!checked.sound) out += " (in error)";
     out += "\n";
     for (const CheckedParameter& parameter : checked.parameters) {
-      out +=
-          "  " + std::string(snapshot.names().text(parameter.name)) + ": " + std::string(type_symbol(parameter.type));
+      out += "  " + name_of(snapshot, definition.block, parameter) + ": " + std::string(type_symbol(parameter.type));
       if (parameter.inferred) out += " (inferred)";
       for (Convention shadowed : parameter.shadowed) out += ", hides " + std::string(convention_entry(shadowed).symbol);
       out += "\n";

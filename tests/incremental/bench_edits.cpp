@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
     if (at == std::string::npos) at = text.find("0.25");
     const auto digit = static_cast<uint32_t>(at + 3);
     document.replace({digit, digit + 1}, std::to_string(i % 10));
-    texbrdf::features::diagnostics(document.snapshot());
+    texbrdf::features::diagnostics(document.snapshot(), nullptr);
   }
   return EXIT_SUCCESS;
 }

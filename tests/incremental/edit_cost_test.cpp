@@ -56,7 +56,7 @@ Cost cost_of_edit(int blocks, int place, const std::string& replacement) {
   const auto offset = static_cast<uint32_t>(at);
   const auto edit = [&](const std::string& by) {
     document.replace({offset, offset + 4}, by);
-    features::diagnostics(document.snapshot());
+    features::diagnostics(document.snapshot(), nullptr);
   };
   edit("0.75");
   const size_t before = allocated_bytes;

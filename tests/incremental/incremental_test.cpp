@@ -81,19 +81,56 @@ std::string block(const std::string& equation) {
 
 /// A valid document of sixty blocks with chains, functions, colours and conventions.
 std::string sound_document(Random& random) {
-  std::string text = "\\documentclass{article}\n\\begin{document}\nProse with $x$ and 5\\%.\n";
+  std::string text =
+      "\\documentclass{article}\n\\newcommand{\\scale}{0.5}\n\\newcommand{\\scaled}[2][m]{(#2 * \\scale + #1)}\n"
+      "\\begin{document}\nProse with $x$ and 5\\%.\n";
   text += block("\\rho_d = \\vec{0.5, 0.25, 0.125} % range [0, 1]") + block("m = 0.3");
   text += block("k(\\hat u) = \\theta_u(1 - \\theta_u) + n \\cdot \\mathbf{u}");
+  text += block("s = \\sum_{k=50}^{53} a_k k(\\hat n) + \\sum_{i=1}^{m} g'(a_i) + \\int_0^m g(x)\\,dx");
   text += block("g(x) = \\frac{x}{x + 1}") + block("h(\\vec{u}, x) = \\vec{u} \\cdot \\vec{n} * g(x)");
+  text += block("D(\\vec{h}, m) = m \\vec{h} \\cdot n + h_x") + block("w = 0.5") +
+          block("\\vec{u} = \\omega_i \\times \\omega_o") + block("z = wm + D + \\theta_u");
+  text += block("P(x, y) = x \\cdot y") + block("E(a, b, t) = a(1 - t) + b t") +
+          block("U(x, y) = P(x, E(x, y, m)) + g(P(y, x))") + block("W(x) = E(x, \\omega_o, m)");
+  text += block("q(\\cos\\theta, y) = \\theta + \\cos\\theta") + block("r(u - m) = (u - m)^2");
   for (int i = 0; i < 55; ++i) {
     const std::string name = "a_{" + std::to_string(i) + "}";
     const std::string earlier = i == 0 ? "m" : "a_{" + std::to_string(random() % static_cast<unsigned>(i)) + "}";
-    const std::string bodies[] = {"g(" + earlier + ") + \\theta_h", earlier + " * 0.5 + m",
+    const std::string bodies[] = {"g(" + earlier + ") + \\theta_h",
+                                  earlier + " * 0.5 + m",
                                   "\\max(" + earlier + ", 0.25)",
-                                  "h(\\vec{\\omega_i}, " + earlier + ") * \\cos{\\theta_o}"};
-    text += "Term number " + std::to_string(i) + ".\n" + block(name + " = " + bodies[random() % 4]);
+                                  "\\scaled{" + earlier + "}",
+                                  "\\scaled[\\theta_i]{" + earlier + "}",
+                                  "h(\\vec{\\omega_i}, " + earlier + ") * \\cos{\\theta_o}",
+                                  "z" + earlier + " + wzm^2 D",
+                                  "P(" + earlier + ", 0.5) + P(\\omega_i, \\vec{n}) + U(\\vec{n}, \\omega_o)",
+                                  "U(" + earlier + ", m) * |W(\\omega_i)|",
+                                  "|E(\\vec{n}, \\omega_i, " + earlier + ")| + P(\\vec{n}, m) \\cdot \\vec{n}"};
+    text += "Term number " + std::to_string(i) + ".\n" + block(name + " = " + bodies[random() % std::size(bodies)]);
   }
-  return text + block("f = \\rho_d * a_{54} + \\vec{1, 1, 1} * a_{53} * k(\\mathbf l)") + "\\end{document}\n";
+  return text +
+         block(
+             "f = \\rho_d * a_{54} + \\vec{1, 1, 1} * a_{53} * k(\\mathbf l) * q(0.5, z) * r(2) * g^2(m) * |W(\\hat n)|") +
+         "\\end{document}\n";
+}
+
+/// The same with what Markdown has around its mathematics.
+std::string sound_markdown(Random& random) {
+  static const std::vector<std::string> between = {
+      "Code `$m = 3$` and ``a ` b``, 100% of it.\n",
+      "```tex\n" + block("m = 4") + "```\n",
+      "~~~~\n$$m = 5$$\n```\n\n~~~~\n",
+      "<!-- \\[m = 6\\] -->\n",
+      "<!-- texbrdf: allow E3013 -->\n",
+      "It costs $5 and $6, or 5\\$ and `$`.\n",
+  };
+  std::string text = sound_document(random);
+  for (size_t at = text.find("\nTerm number"); at != std::string::npos; at = text.find("\nTerm number", at)) {
+    const std::string& piece = between[random() % between.size()];
+    text.insert(at + 1, piece);
+    at += piece.size() + 1;
+  }
+  return text;
 }
 
 /// Edits as people make them, and as nobody should.
@@ -149,7 +186,7 @@ class Editor {
   }
 
   void sound_edit() {
-    switch (below(4)) {
+    switch (below(6)) {
       case 0: {
         const size_t digit = text_.find_first_of("123456789", below(text_.size()));
         const bool is_number = digit != std::string::npos && digit > 0 && text_[digit - 1] == '.';
@@ -164,6 +201,21 @@ class Editor {
       case 2: {
         const size_t line = find_from_anywhere("\nTerm number");
         if (line != std::string::npos) replace(line, 0, "\n" + block("z_{" + std::to_string(++fresh_) + "} = m + 1"));
+        return;
+      }
+      case 3: {
+        static const std::vector<std::string> lines = {
+            "\\renewcommand{\\scale}{0.25}", "\\let\\theta\\vartheta",          "\\newcommand{\\unused}{m}",
+            "\\def\\scaled#1{#1}",           "$$\\newcommand{\\scale}{0.75}$$", "\\providecommand{\\scale}{2}"};
+        const size_t line = find_from_anywhere("\nTerm number");
+        if (line != std::string::npos) replace(line, 0, "\n" + lines[below(lines.size())]);
+        return;
+      }
+      case 4: {
+        static const std::vector<std::string> arguments = {"\\omega_o", "\\vec{n}", "m", "\\rho_d", "x", "y"};
+        const std::string& argument = arguments[below(arguments.size())];
+        const size_t place = find_from_anywhere(argument);
+        if (place != std::string::npos) replace(place, argument.size(), arguments[below(arguments.size())]);
         return;
       }
       default: {
@@ -192,8 +244,21 @@ class Editor {
                                                     "\\end{align}",
                                                     " so $a_{8} = 0.25$ ",
                                                     "\\rho_d",
+                                                    "wm",
+                                                    "\\Delta ",
+                                                    "\\vec{u}",
+                                                    "D",
+                                                    "wz = 3 + D",
                                                     "a_{7}",
                                                     "f",
+                                                    "\\begin{cases}",
+                                                    "\\end{cases}",
+                                                    "\\left\\{\\begin{array}{l} 2 & m > 1 \\\\ ",
+                                                    "\\end{array}",
+                                                    "\\text{otherwise}",
+                                                    "\\begin{cases} m & m > a_{7} \\\\ 2 \\end{cases}",
+                                                    "\\chi^+(m)",
+                                                    "\n" + block("\\chi^+(x) = 2 x"),
                                                     "(",
                                                     ")",
                                                     "\n\n",
@@ -220,12 +285,64 @@ class Editor {
                                                     "(x) = ",
                                                     "'",
                                                     "\\mathbf{u}",
+                                                    "\\scale",
+                                                    "\\scaled",
+                                                    "\\scaled{",
+                                                    "\\newcommand{\\scale}{",
+                                                    "\\newcommand{\\m}{m}",
+                                                    "\\def\\scale#1{#1}",
+                                                    "\\let\\scaled\\scale",
+                                                    "\\renewcommand{\\rho}{\\theta_i\\rho}",
+                                                    "[1]",
+                                                    "#1",
                                                     "{\\bf n}",
                                                     "\\theta_u",
                                                     "\n" + block("n = 2"),
                                                     "\n" + block("\\hat l = \\omega_o"),
                                                     "\n" + block("\\theta_u(x) = x"),
-                                                    "\n" + block("f_r = \\theta_h")};
+                                                    "\n" + block("a_k = m"),
+                                                    "\n" + block("a_{52} = \\vec{n}"),
+                                                    "\n" + block("a_{51}(x) = x"),
+                                                    "\n" + block("g'(x) = 2"),
+                                                    "\\sum_{k=1}^3 a_k ",
+                                                    "\\int_0^1 ",
+                                                    "\\,dx",
+                                                    "_k",
+                                                    "\\frac{d}{dm} ",
+                                                    "\n" + block("f_r = \\theta_h"),
+                                                    " so $m = 0$ and $m = 0.7$ ",
+                                                    " costs 5$ and ",
+                                                    "\n" + block("r(u - m) = (u - m)^2 + u"),
+                                                    "\n" + block("q(y, x) = y + x"),
+                                                    "\n" + block("u = 3"),
+                                                    "\n" + block("P(x, y) = \\exp(x) y"),
+                                                    "\n" + block("P(x, y) = x y"),
+                                                    "\n" + block("P(x, y) = U(x, y)"),
+                                                    "\n" + block("E(a, b, t) = |a - b| + t"),
+                                                    "\n" + block("E(\\vec a, b, t) = \\vec a \\times b"),
+                                                    "\n" + block("W(x) = P(x, x)"),
+                                                    "U(\\rho_d, ",
+                                                    "P(\\omega_i, ",
+                                                    "|W(m)|",
+                                                    ", \\vec{n})",
+                                                    "\n" + block("\\cos m = 0.5"),
+                                                    "\n" + block("g = 2"),
+                                                    "g^2(",
+                                                    "^{(1)}(x)",
+                                                    "{f} = f = ",
+                                                    "`",
+                                                    "``",
+                                                    "\n```\n",
+                                                    "\n  ````tex\n",
+                                                    "\n~~~\n",
+                                                    "~",
+                                                    "   ",
+                                                    "$$a_{9} = 1$$",
+                                                    "<!--",
+                                                    "-->",
+                                                    "<!-- texbrdf: ignore -->\n",
+                                                    "<!-- texbrdf: root = a_{4} -->",
+                                                    "\n"};
     const size_t at = below(text_.size() + 1);
     switch (below(5)) {
       case 0:
@@ -284,7 +401,7 @@ unsigned seed_of_this_run() {
   return given == nullptr ? std::random_device{}() : static_cast<unsigned>(std::strtoul(given, nullptr, 10));
 }
 
-TEST(Incremental, AfterAnyEditsADocumentIsWhatAFreshOneWouldBe) {
+void compare_after_edits(TextLanguage language, std::string (*write)(Random&)) {
   const unsigned seed = seed_of_this_run();
   std::cout << "TEXBRDF_SEED=" << seed << '\n';
   constexpr int kRounds = 8;
@@ -292,13 +409,13 @@ TEST(Incremental, AfterAnyEditsADocumentIsWhatAFreshOneWouldBe) {
   Soundness soundness;
   for (int round = 0; round < kRounds; ++round) {
     Random random(seed + static_cast<unsigned>(round));
-    const std::string text = sound_document(random);
-    Document document(text);
+    const std::string text = write(random);
+    Document document(text, language);
     Editor editor(document, FileId{0}, text, random());
     for (int step = 0; step < kSteps; ++step) {
       editor.step();
       if (random() % 5 == 0) continue;  // two edits between snapshots
-      Document fresh = Document(editor.text());
+      Document fresh = Document(editor.text(), language);
       const Snapshot& snapshot = document.snapshot();
       ASSERT_EQ(snapshot.text().bytes(), editor.text());
       ASSERT_EQ(everything_of(snapshot), everything_of(fresh.snapshot()))
@@ -308,6 +425,14 @@ TEST(Incremental, AfterAnyEditsADocumentIsWhatAFreshOneWouldBe) {
     }
   }
   soundness.expect_a_third();
+}
+
+TEST(Incremental, AfterAnyEditsADocumentIsWhatAFreshOneWouldBe) {
+  compare_after_edits(TextLanguage::Latex, sound_document);
+}
+
+TEST(Incremental, AfterAnyEditsMarkdownIsWhatAFreshOneWouldBe) {
+  compare_after_edits(TextLanguage::Markdown, sound_markdown);
 }
 
 /// Definitions that use those of `sound_document`.

@@ -78,7 +78,14 @@ class Server:
     def published(self, uri, version):
         while self.diagnostics.get(uri, (None,))[0] != version:
             self.read()
+        while version is not None and self.is_pending(uri):
+            pass
         return self.diagnostics[uri][1]
+
+    def is_pending(self, uri):
+        """What was published may not be the last word on its version."""
+        documents = self.ask("texbrdf/stats", {})["documents"]
+        return any(document["uri"] == uri and document["diagnosticsPending"] for document in documents)
 
     def memory(self):
         status = pathlib.Path(f"/proc/{self.process.pid}/status").read_text(encoding="ascii")

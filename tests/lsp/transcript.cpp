@@ -126,7 +126,8 @@ class Client {
   std::string open(const std::string& name, const std::string& text) {
     versions_[name] = 1;
     json opened = document(name);
-    opened.update({{"languageId", "latex"}, {"version", 1}, {"text", text}});
+    const char* const language = name.ends_with(".md") ? "markdown" : "latex";
+    opened.update({{"languageId", language}, {"version", 1}, {"text", text}});
     return message("textDocument/didOpen", {{"textDocument", opened}});
   }
 
@@ -320,7 +321,7 @@ std::string play(std::string_view transcript) {
     });
   }
   lsp::Log log(lsp::LogLevel::Error, [](std::string_view) {});
-  const int status = lsp::run_server(channel, log, {.version = "0.0", .docs_url = "docs", .draws_previews = false});
+  const int status = lsp::run_server(channel, log, {.version = "0.0", .docs_url = "docs", .starts_threads = false});
 
   std::string result;
   std::size_t answered = 0;

@@ -10,7 +10,8 @@ namespace texbrdf::test {
 ///
 ///     # comment
 ///     client {…}                       `-> initialize {…}`, of whose answer only the encoding is shown
-///     open a.tex                       didOpen with version 1; the text follows, each line behind `| `
+///     open a.tex                       didOpen with version 1, of a.md as Markdown; the text follows, each line behind
+///     `| `
 ///     | \begin{equation}
 ///     change a.tex 2:3-2:4 "text"      didChange; the text is a JSON string; `change a.tex "text"` replaces all
 ///     -> method {…}                    a request, or a notification where the protocol says so

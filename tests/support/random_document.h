@@ -195,7 +195,8 @@ class RandomDocument {
   }
 
   void add_root() {
-    const std::string real = "2 + " + real_of(document_) + " + " + real_of(document_);
+    const std::string integrated = random_.chance(0.2) ? " + " + integral(document_) : "";
+    const std::string real = "2 + " + real_of(document_) + " + " + real_of(document_) + integrated;
     const std::string vector = vector_of(document_);
     switch (random_.below(5)) {
       case 0:
@@ -253,7 +254,9 @@ class RandomDocument {
   std::string real(const Scope& scope, int depth) {
     if (depth == 0 || random_.chance(0.1)) return real_leaf(scope);
     const int next = depth - 1;
-    switch (random_.below(23)) {
+    switch (random_.below(26)) {
+      case 25:
+        return sum(scope, next);
       case 0:
         return group(real(scope, next) + " * 0.5 + " + real(scope, next) + "/2");
       case 1:
@@ -297,11 +300,45 @@ class RandomDocument {
         return group(group(real(scope, next)) + group(real(scope, next)));
       case 20:
         return group("\\cos^{" + std::to_string(random_.between(2, 9)) + "}" + angle(scope));
+      case 22:
+        return group(group(real(scope, next)) + (random_.chance(0.5) ? "^+" : "^{+}"));
+      case 23:
+        return absolute_value(real(scope, next / 2));
       case 21:
         if (scope.reals.empty()) return real_leaf(scope);
         return group(random_.one_of(scope.reals) + "(" + real(scope, next) + ")");
       default:
         return call(scope, next, Kind::Real);
+    }
+  }
+
+  /// Its index is in [-1, 1] too where it is divided.
+  std::string sum(const Scope& scope, int depth) {
+    Scope inner = scope;
+    hide(inner, "q");
+    inner.reals.push_back("(q/3)");
+    const std::string body = real(inner, depth);
+    if (random_.chance(0.3)) return group("\\sum_{q \\in \\{1, -2\\}} " + body + " / 2");
+    return group("\\sum_{q=1}^{3} " + body + " / 3");
+  }
+
+  /// Each is two loops, of which a program has only so many.
+  std::string integral(const Scope& scope) {
+    Scope inner = scope;
+    inner.reals.push_back("q");
+    return group("\\int_0^1 " + real(inner, 1) + "\\,dq");
+  }
+
+  /// As cases, so that it does not matter which of two values that are nearly equal decides.
+  std::string absolute_value(const std::string& x) {
+    switch (random_.below(3)) {
+      case 0:
+        return "\\begin{cases} " + x + " & \\text{if } " + x + " > 0 \\\\ -" + x + " & \\text{otherwise} \\end{cases}";
+      case 1:
+        return "\\left\\{\\begin{array}{ll} -" + x + ", & -2 \\le " + x + " < 0 \\\\ " + x + "\\end{array}\\right.";
+      default:
+        return "\\begin{cases} " + x + " & \\neg(" + x + " \\le 0) \\land 2 > 1 \\\\ -" + x + " & " + x +
+               " \\in [-2, 0] \\lor 1 = 2 \\end{cases}";
     }
   }
 
@@ -319,9 +356,12 @@ class RandomDocument {
     const int next = depth - 1;
     const auto inner = [&] { return colour(scope, next); };
     const auto positive_colour = [&] { return group("2 + " + inner()); };
-    switch (random_.below(18)) {
+    switch (random_.below(19)) {
       case 0:
         return tuple(scope, next);
+      case 17:
+        return "\\begin{cases} " + inner() + " & " + real(scope, next) + " < 2 \\\\ " + real(scope, next) +
+               " \\end{cases}";
       case 15:
       case 16:
         if (of_components_.empty()) return tuple(scope, next);

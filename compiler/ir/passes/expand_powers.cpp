@@ -86,10 +86,7 @@ class PowerExpander {
     return index == 2 ? square_root(graph, radicand, false) : std::nullopt;
   }
 
-  static ValueId one_like(Graph& graph, ValueId base) {
-    const ValueId one = graph.constant(1);
-    return is_triple(graph.at(base).type) ? graph.add(Op::MakeVector, {one, one, one}) : one;
-  }
+  static ValueId one_like(Graph& graph, ValueId base) { return add_constant(graph, 1, graph.at(base).type); }
 
   /// By squaring, from the highest bit of the exponent down: x⁵ is (x²)²·x.
   static ValueId product(Graph& graph, ValueId base, uint32_t count) {

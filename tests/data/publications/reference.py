@@ -616,6 +616,42 @@ def burley_2015(L, V):
     return channels(lambda c: c / pi * lobes + sheen * lerp(1, c / 0.185, sheen_tint) * (1 - d) ** 5, (0.42, 0.08, 0.11))
 
 
+@model("kulla-conty-2017")
+def kulla_conty(L, V):
+    r = 0.7
+
+    def albedo(mu):
+        return 1 - 0.3 * r * (1 - mu) ** 2 - 0.1 * r
+    average = 2 * ((1 - 0.1 * r) / 2 - 0.3 * r / 12)  # the integral in closed form
+
+    def lobe(F0):
+        F = F0 + (1 - F0) / 21
+        return F * F * average / (1 - F * (1 - average)) * (1 - albedo(L[2])) * (1 - albedo(V[2])) / (pi * (1 - average))
+    return channels(lobe, (1.0, 0.71, 0.29))
+
+
+@model("heitz-2014-slopes")
+def heitz_2014_slopes(L, V):
+    alpha, H = 0.6, half(L, V)
+
+    def masking(z):
+        if z >= 1:
+            return 0.0
+        a = z / (alpha * sqrt(1 - z * z))
+        return (1 - 1.259 * a + 0.396 * a * a) / (3.535 * a + 2.181 * a * a) if a < 1.6 else 0.0
+    D = exp(-(1 / H[2] ** 2 - 1) / alpha ** 2) / (pi * alpha ** 2 * H[2] ** 4)
+    return grey(schlick(0.04, dot(V, H)) * D / (1 + masking(L[2]) + masking(V[2])) / (4 * L[2] * V[2]))
+
+
+@model("chandrasekhar-1960")
+def chandrasekhar(L, V):
+    w = 0.9
+
+    def H(x):
+        return (1 + 2 * x) / (1 + 2 * x * sqrt(1 - w))
+    return grey(w / (4 * pi) * H(L[2]) * H(V[2]) / (L[2] + V[2]))
+
+
 def directions(path):
     with open(path) as lines:
         for line in lines:

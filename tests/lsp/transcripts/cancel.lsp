@@ -45,7 +45,8 @@ open a.tex
            "definitions": 1,
            "blocksScanned": 1,
            "blocksParsed": 1,
-           "definitionsChecked": 1
+           "definitionsChecked": 1,
+           "diagnosticsPending": false
          }
        ]
      }

@@ -13,10 +13,10 @@ open a.tex
        "diagnostics": [
          {
            "range": "2:7-2:10",
-           "severity": 1,
-           "code": "E3002",
+           "severity": 2,
+           "code": "E2022",
            "source": "texbrdf",
-           "message": "`exp` is a reserved word; the command is `\\exp`"
+           "message": "`exp` is read as `\\exp`"
          }
        ]
      }

@@ -14,7 +14,7 @@
          "foldingRangeProvider": true,
          "semanticTokensProvider": {
            "legend": {
-             "tokenTypes": ["function","variable","parameter","number","operator","keyword"],
+             "tokenTypes": ["function","variable","parameter","number","operator","keyword","macro"],
              "tokenModifiers": ["declaration","definition","defaultLibrary"]
            },
            "range": true,
@@ -54,10 +54,10 @@ open a.tex
          },
          {
            "range": "5:15-5:18",
-           "severity": 1,
-           "code": "E3002",
+           "severity": 2,
+           "code": "E2022",
            "source": "texbrdf",
-           "message": "`exp` is a reserved word; the command is `\\exp`"
+           "message": "`exp` is read as `\\exp`"
          },
          {"range":"5:26-5:29","severity":1,"code":"E3012","source":"texbrdf","message":"missing operator"}
        ]
@@ -115,10 +115,10 @@ open a.tex
          "diagnostics": [
            {
              "range": "5:15-5:18",
-             "severity": 1,
-             "code": "E3002",
+             "severity": 2,
+             "code": "E2022",
              "source": "texbrdf",
-             "message": "`exp` is a reserved word; the command is `\\exp`"
+             "message": "`exp` is read as `\\exp`"
            }
          ],
          "isPreferred": true,
@@ -143,10 +143,10 @@ open a.tex
          "diagnostics": [
            {
              "range": "5:15-5:18",
-             "severity": 1,
-             "code": "E3002",
+             "severity": 2,
+             "code": "E2022",
              "source": "texbrdf",
-             "message": "`exp` is a reserved word; the command is `\\exp`"
+             "message": "`exp` is read as `\\exp`"
            }
          ],
          "isPreferred": true,

@@ -81,7 +81,7 @@ change a.tex 5:7-5:16 "\\vec{n} \\times \\ve"
            "label": "\\vec{\\omega_i}",
            "kind": 12,
            "detail": "ℝ³",
-           "sortText": "02",
+           "sortText": "03",
            "textEdit": {"range":"5:22-5:25","newText":"\\vec{\\omega_i}"},
            "data": {"uri":"a.tex","kind":"convention"}
          },
@@ -89,7 +89,7 @@ change a.tex 5:7-5:16 "\\vec{n} \\times \\ve"
            "label": "\\vec{\\omega_o}",
            "kind": 12,
            "detail": "ℝ³",
-           "sortText": "02",
+           "sortText": "03",
            "textEdit": {"range":"5:22-5:25","newText":"\\vec{\\omega_o}"},
            "data": {"uri":"a.tex","kind":"convention"}
          },
@@ -97,7 +97,7 @@ change a.tex 5:7-5:16 "\\vec{n} \\times \\ve"
            "label": "\\vec{n}",
            "kind": 12,
            "detail": "ℝ³",
-           "sortText": "02",
+           "sortText": "03",
            "textEdit": {"range":"5:22-5:25","newText":"\\vec{n}"},
            "data": {"uri":"a.tex","kind":"convention"}
          },
@@ -105,14 +105,14 @@ change a.tex 5:7-5:16 "\\vec{n} \\times \\ve"
            "label": "\\vec{h}",
            "kind": 12,
            "detail": "ℝ³",
-           "sortText": "02",
+           "sortText": "03",
            "textEdit": {"range":"5:22-5:25","newText":"\\vec{h}"},
            "data": {"uri":"a.tex","kind":"convention"}
          },
          {
            "label": "\\vec{…, …, …}",
            "kind": 15,
-           "sortText": "03",
+           "sortText": "05",
            "filterText": "\\vec",
            "insertTextFormat": 2,
            "textEdit": {"range":"5:22-5:25","newText":"\\\\vec{$1, $2, $3}"},
@@ -121,7 +121,7 @@ change a.tex 5:7-5:16 "\\vec{n} \\times \\ve"
          {
            "label": "\\vec{…}",
            "kind": 15,
-           "sortText": "13",
+           "sortText": "15",
            "filterText": "\\vec",
            "insertTextFormat": 2,
            "textEdit": {"range":"5:22-5:25","newText":"\\\\vec{$1}"},
@@ -151,7 +151,7 @@ change a.tex 5:7-5:25 "\\m"
          {
            "label": "\\max(…, …)",
            "kind": 15,
-           "sortText": "03",
+           "sortText": "05",
            "filterText": "\\max",
            "insertTextFormat": 2,
            "textEdit": {"range":"5:7-5:9","newText":"\\\\max($1, $2)"},
@@ -160,16 +160,25 @@ change a.tex 5:7-5:25 "\\m"
          {
            "label": "\\min(…, …)",
            "kind": 15,
-           "sortText": "03",
+           "sortText": "05",
            "filterText": "\\min",
            "insertTextFormat": 2,
            "textEdit": {"range":"5:7-5:9","newText":"\\\\min($1, $2)"},
            "data": {"uri":"a.tex","kind":"command"}
          },
          {
+           "label": "\\mathbf{…}",
+           "kind": 15,
+           "sortText": "05",
+           "filterText": "\\mathbf",
+           "insertTextFormat": 2,
+           "textEdit": {"range":"5:7-5:9","newText":"\\\\mathbf{$1}"},
+           "data": {"uri":"a.tex","kind":"command"}
+         },
+         {
            "label": "\\mathrm{…}",
            "kind": 15,
-           "sortText": "03",
+           "sortText": "05",
            "filterText": "\\mathrm",
            "insertTextFormat": 2,
            "textEdit": {"range":"5:7-5:9","newText":"\\\\mathrm{$1}"},

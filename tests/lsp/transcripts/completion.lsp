@@ -80,9 +80,18 @@ open a.tex
            "data": {"uri":"a.tex","kind":"parameter","function":"g"}
          },
          {
+           "label": "\\text{mix}",
+           "kind": 3,
+           "detail": "ℝ × ℝ × ℝ → ℝ",
+           "sortText": "04",
+           "filterText": "mix",
+           "textEdit": {"range":"6:20-6:21","newText":"\\text{mix}"},
+           "data": {"uri":"a.tex","kind":"builtin"}
+         },
+         {
            "label": "\\max",
            "kind": 14,
-           "sortText": "03",
+           "sortText": "05",
            "filterText": "max",
            "textEdit": {"range":"6:20-6:21","newText":"\\max"},
            "data": {"uri":"a.tex","kind":"command"}
@@ -90,15 +99,23 @@ open a.tex
          {
            "label": "\\min",
            "kind": 14,
-           "sortText": "03",
+           "sortText": "05",
            "filterText": "min",
            "textEdit": {"range":"6:20-6:21","newText":"\\min"},
            "data": {"uri":"a.tex","kind":"command"}
          },
          {
+           "label": "\\mathbf",
+           "kind": 14,
+           "sortText": "05",
+           "filterText": "mathbf",
+           "textEdit": {"range":"6:20-6:21","newText":"\\mathbf"},
+           "data": {"uri":"a.tex","kind":"command"}
+         },
+         {
            "label": "\\mathrm",
            "kind": 14,
-           "sortText": "03",
+           "sortText": "05",
            "filterText": "mathrm",
            "textEdit": {"range":"6:20-6:21","newText":"\\mathrm"},
            "data": {"uri":"a.tex","kind":"command"}
@@ -150,7 +167,7 @@ change a.tex 6:22-6:34 "\\omega"
            "label": "\\omega_o",
            "kind": 12,
            "detail": "ℝ³",
-           "sortText": "02",
+           "sortText": "03",
            "textEdit": {"range":"6:22-6:28","newText":"\\omega_o"},
            "data": {"uri":"a.tex","kind":"convention","function":"g"}
          }
@@ -189,7 +206,7 @@ change a.tex 9:7-9:21 "\\vec{}"
            "label": "\\vec{\\omega_i}",
            "kind": 12,
            "detail": "ℝ³",
-           "sortText": "02",
+           "sortText": "03",
            "textEdit": {"range":"9:7-9:13","newText":"\\vec{\\omega_i}"},
            "data": {"uri":"a.tex","kind":"convention"}
          },
@@ -197,7 +214,7 @@ change a.tex 9:7-9:21 "\\vec{}"
            "label": "\\vec{\\omega_o}",
            "kind": 12,
            "detail": "ℝ³",
-           "sortText": "02",
+           "sortText": "03",
            "textEdit": {"range":"9:7-9:13","newText":"\\vec{\\omega_o}"},
            "data": {"uri":"a.tex","kind":"convention"}
          },
@@ -205,7 +222,7 @@ change a.tex 9:7-9:21 "\\vec{}"
            "label": "\\vec{n}",
            "kind": 12,
            "detail": "ℝ³",
-           "sortText": "02",
+           "sortText": "03",
            "textEdit": {"range":"9:7-9:13","newText":"\\vec{n}"},
            "data": {"uri":"a.tex","kind":"convention"}
          },
@@ -213,7 +230,7 @@ change a.tex 9:7-9:21 "\\vec{}"
            "label": "\\vec{h}",
            "kind": 12,
            "detail": "ℝ³",
-           "sortText": "02",
+           "sortText": "03",
            "textEdit": {"range":"9:7-9:13","newText":"\\vec{h}"},
            "data": {"uri":"a.tex","kind":"convention"}
          }

@@ -45,8 +45,8 @@ open bad.tex
            "code": "E3006",
            "codeDescription": {"href":"docs#E3006"},
            "source": "texbrdf",
-           "message": "`a` is defined already; the first definition stays in force",
-           "relatedInformation": [{"location":{"uri":"bad.tex","range":"2:3-2:4"},"message":"first defined here"}]
+           "message": "`a` is defined more than once; another definition is in force",
+           "relatedInformation": [{"location":{"uri":"bad.tex","range":"2:3-2:4"},"message":"this one is in force"}]
          }
        ]
      }
@@ -66,8 +66,8 @@ change bad.tex 2:11-2:17 "2"
            "code": "E3006",
            "codeDescription": {"href":"docs#E3006"},
            "source": "texbrdf",
-           "message": "`a` is defined already; the first definition stays in force",
-           "relatedInformation": [{"location":{"uri":"bad.tex","range":"2:3-2:4"},"message":"first defined here"}]
+           "message": "`a` is defined more than once; another definition is in force",
+           "relatedInformation": [{"location":{"uri":"bad.tex","range":"2:3-2:4"},"message":"this one is in force"}]
          }
        ]
      }

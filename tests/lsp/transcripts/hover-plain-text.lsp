@@ -24,7 +24,7 @@ open a.tex
            "severity": 1,
            "code": "E3006",
            "source": "texbrdf",
-           "message": "`a` is defined already; the first definition stays in force"
+           "message": "`a` is defined more than once; another definition is in force"
          },
          {
            "range": "11:3-11:11",

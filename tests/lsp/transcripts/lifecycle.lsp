@@ -19,7 +19,7 @@
          "foldingRangeProvider": true,
          "semanticTokensProvider": {
            "legend": {
-             "tokenTypes": ["function","variable","parameter","number","operator","keyword"],
+             "tokenTypes": ["function","variable","parameter","number","operator","keyword","macro"],
              "tokenModifiers": ["declaration","definition","defaultLibrary"]
            },
            "range": true,

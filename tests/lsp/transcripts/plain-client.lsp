@@ -22,7 +22,7 @@ open a.tex
            "severity": 1,
            "code": "E3006",
            "source": "texbrdf",
-           "message": "`f` is defined already; the first definition stays in force"
+           "message": "`f` is defined more than once; another definition is in force"
          }
        ]
      }

@@ -37,7 +37,8 @@ open a.tex
            "definitions": 1,
            "blocksScanned": 1,
            "blocksParsed": 1,
-           "definitionsChecked": 1
+           "definitionsChecked": 1,
+           "diagnosticsPending": false
          }
        ]
      }
@@ -65,7 +66,8 @@ change a.tex 2:7-2:8 "2"
            "definitions": 1,
            "blocksScanned": 1,
            "blocksParsed": 1,
-           "definitionsChecked": 1
+           "definitionsChecked": 1,
+           "diagnosticsPending": false
          }
        ]
      }

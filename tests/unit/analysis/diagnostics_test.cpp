@@ -36,16 +36,25 @@ INSTANTIATE_TEST_SUITE_P(
         {"nearest name is a parameter",
          {"alphb = 1", "g(alpha) = alph * alpha", "f = g(alphb)"},
          {"E3001 6:12 [alph] undefined name `alph` in the definition of `g`; did you mean `alpha`?"}},
+        {"a prime in a subscript is no derivative",
+         {"f = \\rho_{s'}(2)"},
+         {"E3001 2:5 [\\rho_{s'}] undefined name `\\rho_{s'}` in the definition of `f`"}},
+        {"what a function is made of, outside of it",
+         {"F(c) = g", "g = c + 1", "k = 2g", "f = k"},
+         {"E3013 2:1 [F] nothing uses `F`", "E3001 6:5 [c] undefined name `c` in the definition of `g`"}},
+        {"what a function is made of, in another",
+         {"F(c) = g", "g = c + 1", "H(x) = g x", "f = F(1) + H(2)"},
+         {"E3001 10:8 [g] undefined name `c` in the definition of `g`"}},
         {"the first of two stays in force",
          {"a = 1", "a = \\vec{n}", "f = a + 1"},
-         {"E3006 6:1 [a] `a` is defined already; the first definition stays in force"}},
+         {"E3006 6:1 [a] `a` is defined more than once; another definition is in force"}},
         {"the body of a later definition is checked",
          {"a = 1", "a = q", "f = a"},
-         {"E3006 6:1 [a] `a` is defined already; the first definition stays in force",
+         {"E3006 6:1 [a] `a` is defined more than once; another definition is in force",
           "E3001 6:5 [q] undefined name `q` in the definition of `a`"}},
         {"a later definition may mention the first",
          {"a = 1", "a = a + 1", "f = a"},
-         {"E3006 6:1 [a] `a` is defined already; the first definition stays in force"}},
+         {"E3006 6:1 [a] `a` is defined more than once; another definition is in force"}},
         {"a constant stays what it is",
          {"\\pi = \\vec{n}", "\\pi = 2", "f = \\pi + 1"},
          {"E3007 2:1 [\\pi] `\\pi` is a constant and cannot be redefined",
@@ -56,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(
         {"a convention in both spellings is one name",
          {"\\vec{\\omega_i} = \\vec{n}", "f = \\omega_i"},
          {"E3008 2:1 [\\vec{\\omega_i}] `\\omega_i` takes the place of the convention: unit vector towards the light"}},
-        {"a definition of itself", {"f = f + 1"}, {"E3009 2:1 [f] circular definition: `f` → `f`"}},
+        {"a definition of itself", {"f = f + 1"}, {"E3009 2:5 [f] circular definition: `f` → `f`"}},
         {"a cycle is named from its first definition",
          {"f = a", "c = a", "a = b", "b = c"},
          {"E3009 6:1 [c] circular definition: `c` → `a` → `b` → `c`"}},
@@ -139,7 +148,7 @@ TEST(Diagnostics, RelatedPlacesPointIntoTheirBlocks) {
   EXPECT_EQ(all[0].related[0].message, "`b` is on the way");
   ASSERT_EQ(all[1].related.size(), 1u);
   EXPECT_EQ(all[1].related[0].where.block, BlockId{2});
-  EXPECT_EQ(all[1].related[0].message, "first defined here");
+  EXPECT_EQ(all[1].related[0].message, "this one is in force");
 }
 
 TEST(Diagnostics, FixesMendTheDocument) {

@@ -106,6 +106,69 @@ TEST(Document, ABracketBehindANameFollowsWhatTheNameIs) {
   EXPECT_EQ(value_of_a(), 32);
 }
 
+std::string value_in_force(const Snapshot& snapshot, std::string_view name) {
+  return snapshot.equation(*snapshot.find(name));
+}
+
+TEST(Document, ADisplayIsInForceBeforeProse) {
+  const std::string display = equations({"m = 0.5"});
+  Document document("The limit is $m = 0$, and here $m = 0.3$.\n" + equations({"f = m"}));
+  EXPECT_EQ(value_in_force(document.snapshot(), "m"), "m = 0.3");
+  document.replace({UINT32_MAX, UINT32_MAX}, display);
+  EXPECT_EQ(value_in_force(document.snapshot(), "m"), "m = 0.5");
+  EXPECT_EQ(reports(document.snapshot(), Severity::Warning), std::vector<std::string>{});
+  const auto size = static_cast<uint32_t>(document.text().size());
+  document.replace({size - static_cast<uint32_t>(display.size()), size}, "");
+  EXPECT_EQ(value_in_force(document.snapshot(), "m"), "m = 0.3");
+  document.replace(find(document, "$m = 0.3$"), "");
+  EXPECT_EQ(value_in_force(document.snapshot(), "m"), "m = 0");
+  document.replace(find(document, "$m = 0$"), "\\[m = 2\\]");
+  EXPECT_EQ(value_in_force(document.snapshot(), "m"), "m = 2");
+}
+
+TEST(Document, OfNumbersInProseTheLastIsInForce) {
+  Document document("GGX is $m = 2$. Here $m = (1, 2, 3)$ or $m = -0.25$; $m = 1$ is flat.\n" + equations({"f = m"}));
+  EXPECT_EQ(value_in_force(document.snapshot(), "m"), "m = -0.25");
+  document.replace(find(document, "$m = -0.25$"), "");
+  EXPECT_EQ(value_in_force(document.snapshot(), "m"), "m = (1, 2, 3)");
+  document.replace(find(document, "$m = 2$"), "$m = 2 k$");
+  EXPECT_EQ(value_in_force(document.snapshot(), "m"), "m = 2 k");
+}
+
+TEST(Document, ANameInAnglesIsWhatTheDocumentDefines) {
+  Document document(equations({"E(x) = 2", "f = \\langle E \\rangle"}));
+  EXPECT_TRUE(document.snapshot().has_errors()) << "a function without arguments";
+  document.replace({0, 0}, equations({"\\langle E \\rangle = 3"}));
+  EXPECT_FALSE(document.snapshot().has_errors());
+  EXPECT_EQ(value_in_force(document.snapshot(), "\\langle E\\rangle"), "\\langle E \\rangle = 3");
+  document.replace(find(document, "\\langle E \\rangle = 3"), "B = 3");
+  EXPECT_TRUE(document.snapshot().has_errors());
+}
+
+TEST(Document, AVectorHasAHatOfItsOwnWhereTheDocumentTellsThemApart) {
+  Document document(equations({"\\vec q = \\omega_i", "f = \\hat q \\cdot \\omega_o"}));
+  EXPECT_FALSE(document.snapshot().has_errors());
+  document.replace({0, 0}, equations({"\\hat q = 2 \\vec q"}));
+  EXPECT_EQ(reports(document.snapshot(), Severity::Hint), std::vector<std::string>{}) << "both are used";
+  document.replace(find(document, "2 \\vec q"), "2 \\omega_i");
+  EXPECT_TRUE(document.snapshot().has_errors()) << "one name, defined twice";
+}
+
+TEST(Document, AnArgumentNeedsAMeaningOnceItIsRead) {
+  Document document(equations({"g(x, y) = x", "f = g(1, z)"}));
+  EXPECT_FALSE(document.snapshot().has_errors());
+  document.replace(find(document, "= x"), "= x + y");
+  EXPECT_TRUE(document.snapshot().has_errors());
+}
+
+TEST(Document, ThePowerOfACallFollowsWhatTheNameIs) {
+  Document document(equations({"a(x) = 2", "f = a^2(3) + 1"}));
+  EXPECT_FALSE(document.snapshot().has_errors());
+  document.replace(find(document, "a(x)"), "a");
+  EXPECT_FALSE(document.snapshot().has_errors());
+  EXPECT_EQ(document.snapshot().constant_value(*document.snapshot().find("f")), std::vector<double>{13});
+}
+
 TEST(Document, BlocksThatMoveAreKept) {
   Document document(equations({"a = 1", "b = 2", "f = a + b"}));
   document.snapshot();

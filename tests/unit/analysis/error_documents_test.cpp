@@ -25,7 +25,7 @@ const std::vector<Expected>& expected_reports() {
       {"unbalanced", {"E2003 2:9 [(] `(` is never closed"}},
       {"reserved-word", {"E3002 2:9 [arccos] `arccos` is a reserved word; the command is `\\arccos`"}},
       {"no-expression", {"E2001 3:1 [\\end] expected an expression, found the end of the equation"}},
-      {"redefinition", {"E3006 6:5 [f] `f` is defined already; the first definition stays in force"}},
+      {"redefinition", {"E3006 6:5 [f] `f` is defined more than once; another definition is in force"}},
       {"cycle", {"E3009 2:5 [a] circular definition: `a` → `f` → `a`"}},
       {"argument-type", {"E4003 6:14 [\\vec{1,1,1}] 2nd argument of `g`: expected ℝ, got ℝ³"}},
       {"argument-count", {"E4004 6:9 [g(1)] `g` takes 2 arguments, got 1"}},

@@ -58,6 +58,25 @@ TEST(Hover, ADefinitionSaysItsTypeEquationValueAndLine) {
             "g | g: ℝ³ → ℝ³\n\ng(\\vec{x}) = 2*\\vec{x}\n\ndefined on line 2");
 }
 
+TEST(Hover, ACallSaysTheTypesThatItIsCalledWith) {
+  const std::string g = equation("g(x, y) = x \\cdot y");
+  EXPECT_EQ(hover_text(equation("f = @g(\\vec{n}, \\vec{h})") + g),
+            "g | g: ℝ³ × ℝ³ → ℝ\n\ng(x, y) = x \\cdot y\n\ndefined on line 2");
+  EXPECT_EQ(hover_text(equation("f = g(\\vec{n}, \\vec{h}) + @g(1, 2)") + g),
+            "g | g: ℝ × ℝ → ℝ\n\ng(x, y) = x \\cdot y\n\ndefined on line 2");
+}
+
+TEST(Hover, CasesAndTheirConditionsHaveTypes) {
+  const std::string rows = " (1, 0, 0) & \\theta_h > 1 \\land 2 > 1 \\\\ 0 \\end{cases}";
+  EXPECT_EQ(hover_text(equation("f = @\\begin{cases}" + rows)),
+            "\\begin{cases}" + rows + " | RGB\n\n\\begin{cases}" + rows);
+  EXPECT_EQ(hover_text(equation("f = \\begin{cases} 1 & \\theta_h @> 1 \\\\ 0 \\end{cases}")),
+            "\\theta_h > 1 | 𝔹\n\n\\theta_h > 1");
+  EXPECT_EQ(hover_text(equation("f = @\\chi^+(\\theta_h)")),
+            "\\chi^+ | \\chi^+: ℝ → ℝ\n\n1 where its argument is positive, else 0\n\n"
+            "a function that needs no definition");
+}
+
 TEST(Hover, AVectorHasThreeValues) {
   EXPECT_EQ(hover_text(equation("f = @c") + equation("c = 2*\\vec{1, 0, -0.25}")),
             "c | c: ℝ³\n\nc = 2*\\vec{1, 0, -0.25}\n\nvalue (2, 0, -0.5) · defined on line 2");
@@ -211,7 +230,7 @@ TEST(DocumentSymbols, DefinitionsWithTheirParameters) {
 TEST(Diagnostics, AreFormedWithAbsoluteRanges) {
   Document opened("θ " + equation("a = 1") + equation("f = a + zz") + equation("a = 2"));
   const Snapshot& snapshot = opened.snapshot();
-  const auto shown = diagnostics(snapshot);
+  const auto shown = diagnostics(snapshot, nullptr);
   ASSERT_EQ(shown.size(), 2u);
   EXPECT_EQ(text_at(snapshot, shown[0].span), "zz");
   EXPECT_EQ(shown[0].severity, Severity::Error);
@@ -230,10 +249,10 @@ TEST(Diagnostics, OfAllFilesAreThoseOfEach) {
   document.insert_file({3}, SourceText(equation("b = yy") + equation("a = 2") + equation("unused = 1")));
   for (uint32_t seen_from = 0; seen_from < document.file_count(); ++seen_from) {
     const Snapshot& snapshot = document.snapshot({seen_from});
-    const std::vector<std::vector<ShownDiagnostic>> files = diagnostics_by_file(snapshot);
+    const std::vector<std::vector<ShownDiagnostic>> files = diagnostics_by_file(snapshot, nullptr);
     ASSERT_EQ(files.size(), document.file_count());
     for (uint32_t file = 0; file < files.size(); ++file) {
-      const std::vector<ShownDiagnostic> own = diagnostics(document.snapshot({file}));
+      const std::vector<ShownDiagnostic> own = diagnostics(document.snapshot({file}), nullptr);
       ASSERT_EQ(files[file].size(), own.size()) << file;
       for (std::size_t i = 0; i < own.size(); ++i) {
         EXPECT_EQ(files[file][i].message, own[i].message);

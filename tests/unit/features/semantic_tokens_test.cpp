@@ -45,6 +45,13 @@ TEST(SemanticTokens, NamesNumbersOperatorsAndCommands) {
             "1:number 0:number 0:number /:operator 2:number");
 }
 
+TEST(SemanticTokens, CasesAndConditions) {
+  EXPECT_EQ(tokens_of(equation("f = \\begin{cases} 1 & \\text{if } x \\le 2 \\land y > 0 \\\\ 0 \\end{cases}")),
+            "f:variable.definition =:operator \\begin{cases}:keyword 1:number \\text{if }:keyword x:variable "
+            "\\le:operator 2:number \\land:operator y:variable >:operator 0:number 0:number \\end{cases}:keyword");
+  EXPECT_EQ(tokens_of(equation("f = \\chi^+(x)")), "f:variable.definition =:operator \\chi^+:function x:variable");
+}
+
 TEST(SemanticTokens, FunctionsAndTheirParameters) {
   EXPECT_EQ(tokens_of(equation("g(x, \\vec{v}) = x * \\vec{v} + y") + equation("f = g(1, \\text{dir})")),
             "g:function.definition x:parameter.declaration \\vec{v}:parameter.declaration =:operator x:parameter "

@@ -111,7 +111,10 @@ LinkableDefinition using_names(uint32_t own, std::vector<uint32_t> used) {
 }
 
 DefinitionLookup lookup_in(const std::vector<LinkableDefinition>& definitions) {
-  return [&definitions](NameId name) { return name.value < definitions.size() ? &definitions[name.value] : nullptr; };
+  return [&definitions](const Instance& wanted) {
+    const uint32_t index = wanted.function.value;
+    return index < definitions.size() ? &definitions[index] : nullptr;
+  };
 }
 
 TEST(Link, FailsWhereADefinitionIsMissingOrCircular) {

@@ -1,12 +1,16 @@
 #pragma once
 
+#include <deque>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "semantics/check.h"
-#include "semantics/factors.h"
+#include "semantics/implied_mentions.h"
+#include "semantics/instance_facts.h"
+#include "support/settled_block.h"
 #include "syntax/block_scanner.h"
 
 namespace texbrdf::test {
@@ -33,40 +37,54 @@ class CheckedText {
   }
 
  private:
-  class Known final : public Facts {
+  class Known final : public InstanceFacts, public KnownNames {
    public:
+    explicit Known(const CheckedText& text) : text_(text) {}
     const NameFact& fact(NameId name) const override {
       static const NameFact absent;
       return name.value < facts.size() ? facts[name.value] : absent;
     }
+    NameKind kind(NameId name) const override {
+      if (fact(name).kind == NameFact::Kind::Absent) return NameKind::Absent;
+      return fact(name).signature.is_function ? NameKind::Function : NameKind::Value;
+    }
+    std::span<const NameId> parameters(NameId function) const override { return fact(function).parameters; }
     std::vector<NameFact> facts;
-  };
 
-  static NameKind kind_of(const NameFact& fact) {
-    if (fact.kind == NameFact::Kind::Absent) return NameKind::Absent;
-    return fact.signature.is_function ? NameKind::Function : NameKind::Value;
-  }
+   private:
+    std::optional<DefinitionView> definition(NameId function) const override {
+      for (size_t i = 0; i < text_.checked_.size(); ++i) {
+        if (text_.checked_[i].name != function) continue;
+        const ParsedBlock& block = *text_.blocks_[i];
+        return DefinitionView{block, block.definitions.at(0), text_.names_[i], text_.table_, *this};
+      }
+      return std::nullopt;
+    }
+    InstancesOfFunction& known_instances(NameId function) const override { return instances_[function]; }
+
+    const CheckedText& text_;
+    mutable std::map<NameId, InstancesOfFunction> instances_;
+  };
 
   void add(const std::string& equation) {
     const std::string text = "\\begin{equation}" + equation + "\n\\end{equation}";
     const BlockExtent extent = scan_blocks(text).at(0);
-    const ParsedBlock first = parse_block(text, extent);
-    const BlockNames first_names = read_names(first, table_);
-    known_.facts.resize(table_.size());
-    const std::vector<uint32_t> factors =
-        find_factors(first, first_names, table_, [this](NameId name) { return kind_of(known_.fact(name)); });
-    blocks_.push_back(
-        std::make_unique<ParsedBlock>(parse_block(text, extent, std::pmr::get_default_resource(), factors)));
+    blocks_.push_back(std::make_unique<ParsedBlock>(settled_block(parse_block(text, extent), table_, known_)));
     const ParsedBlock& block = *blocks_.back();
-    const BlockNames names = read_names(block, table_);
-    checked_.push_back(check_definition(block, block.definitions.at(0), names, table_, known_));
-    known_.facts[checked_.back().name.value] = {NameFact::Kind::Defined, checked_.back().signature};
+    const DefinitionSyntax& definition = block.definitions.at(0);
+    const BlockNames& names = names_.emplace_back(read_names(block, table_));
+    implied_mentions(block, definition, names, table_, known_);  // which the table has to know
+    known_.facts.resize(table_.size());
+    checked_.push_back(check_definition(block, definition, names, table_, known_));
+    known_.facts[checked_.back().name.value] = {NameFact::Kind::Defined, checked_.back().signature,
+                                                parameter_names(block, definition, names)};
   }
 
   NameTable table_;
   std::vector<std::unique_ptr<ParsedBlock>> blocks_;
+  std::deque<BlockNames> names_;
   std::vector<CheckedDefinition> checked_;
-  Known known_;
+  Known known_{*this};
 };
 
 }  // namespace texbrdf::test

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "semantics/conventions.h"
+#include "semantics/matrix_rules.h"
 #include "semantics/operator_rules.h"
 #include "semantics/types.h"
 
@@ -90,6 +91,70 @@ TEST(OperatorRules, GiveAllResultsOfOpenOperands) {
   EXPECT_EQ(results(Operator::Multiply, open, open), open);
   EXPECT_EQ(results(Operator::Cross, open, open), open);
   EXPECT_EQ(results(Operator::Divide, open, Type::Vector), TypeSet());
+}
+
+struct MatrixRule {
+  Operator op;
+  Type left, right;
+  std::optional<Type> expected;
+};
+
+constexpr MatrixRule kMatrixRules[] = {
+    {Operator::Plus, Type::Vector2, Type::Vector2, Type::Vector2},
+    {Operator::Plus, Type::Vector2, Type::Real, std::nullopt},
+    {Operator::Minus, Type::Matrix3x3, Type::Matrix3x3, Type::Matrix3x3},
+    {Operator::Minus, Type::Matrix3x3, Type::Matrix3x2, std::nullopt},
+    {Operator::SideBySide, Type::Real, Type::Matrix2x3, Type::Matrix2x3},
+    {Operator::SideBySide, Type::Matrix2x3, Type::Vector, Type::Vector2},
+    {Operator::SideBySide, Type::Matrix2x3, Type::Vector2, std::nullopt},
+    {Operator::SideBySide, Type::Matrix3x3, Type::Vector, Type::Vector},
+    {Operator::SideBySide, Type::Matrix3x3, Type::Colour, Type::Colour},
+    {Operator::SideBySide, Type::Matrix3x3, Type::Tuple, Type::Tuple},
+    {Operator::SideBySide, Type::Matrix3x2, Type::Vector2, Type::Tuple},
+    {Operator::SideBySide, Type::Matrix2x3, Type::Matrix3x4, Type::Matrix2x4},
+    {Operator::SideBySide, Type::Row2, Type::Vector2, Type::Real},
+    {Operator::SideBySide, Type::Vector2, Type::Row3, Type::Matrix2x3},
+    {Operator::SideBySide, Type::Vector2, Type::Matrix2x2, Type::Row2},
+    {Operator::SideBySide, Type::Vector2, Type::Vector2, std::nullopt},
+    {Operator::Multiply, Type::Vector2, Type::Vector2, Type::Real},
+    {Operator::Multiply, Type::Vector4, Type::Row4, Type::Real},
+    {Operator::Multiply, Type::Vector4, Type::Vector2, std::nullopt},
+    {Operator::Multiply, Type::Colour, Type::Row3, std::nullopt},
+    {Operator::Divide, Type::Matrix4x4, Type::Real, Type::Matrix4x4},
+    {Operator::Divide, Type::Real, Type::Matrix4x4, std::nullopt},
+    {Operator::Divide, Type::Vector2, Type::Vector2, std::nullopt},
+    {Operator::Cross, Type::Real, Type::Matrix2x2, Type::Matrix2x2},
+    {Operator::Cross, Type::Vector2, Type::Vector2, std::nullopt},
+    {Operator::Power, Type::Matrix2x2, Type::Real, std::nullopt},
+    {Operator::Plus, Type::Matrix2x2, Type::Error, Type::Matrix2x2},
+    {Operator::Plus, Type::Error, Type::Matrix2x2, Type::Matrix2x2},
+    {Operator::Divide, Type::Vector2, Type::Error, Type::Vector2},
+    {Operator::Divide, Type::Error, Type::Vector2, Type::Error},
+    {Operator::Multiply, Type::Matrix2x2, Type::Error, Type::Error},
+};
+
+TEST(OperatorRules, AreThoseOfLinearAlgebraBesideAggregates) {
+  for (const MatrixRule& rule : kMatrixRules) {
+    const std::string what = signature_text({.is_function = true, .parameters = {rule.left, rule.right}});
+    EXPECT_EQ(result(rule.op, rule.left, rule.right), rule.expected) << what << static_cast<int>(rule.op);
+    const TypeSet unknown = rule.left == Type::Error || rule.right == Type::Error ? TypeSet(Type::Error) : TypeSet();
+    EXPECT_EQ(results(rule.op, rule.left, rule.right), rule.expected ? unknown | *rule.expected : unknown) << what;
+  }
+}
+
+TEST(Types, HaveShapes) {
+  EXPECT_EQ(type_symbol(Type::Matrix2x3), "ℝ²ˣ³");
+  EXPECT_EQ(type_components(Type::Matrix2x3), 6u);
+  EXPECT_EQ(type_of_shape({1, 1}), Type::Real);
+  EXPECT_EQ(type_of_shape({3, 1}), Type::Tuple);
+  EXPECT_EQ(type_of_shape({5, 1}), std::nullopt);
+  EXPECT_EQ(tuple_type(2), Type::Vector2);
+  EXPECT_EQ(tuple_type(3), Type::Tuple);
+  EXPECT_EQ(tuple_type(1), std::nullopt);
+  EXPECT_EQ(transposed(Type::Vector), Type::Row3);
+  EXPECT_EQ(transposed(Type::Matrix4x2), Type::Matrix2x4);
+  EXPECT_EQ(transposed(Type::Colour), std::nullopt);
+  EXPECT_FALSE(is_square_matrix(Type::Matrix2x3));
 }
 
 TEST(Conventions, HaveTheirSpellingsAndOperands) {

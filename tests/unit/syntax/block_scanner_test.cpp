@@ -25,9 +25,9 @@ std::string_view end_name(BlockEnd end) {
 }
 
 /// `content:end` of each block.
-std::string blocks_text(std::string_view document) {
+std::string blocks_text(std::string_view document, TextLanguage language = TextLanguage::Latex) {
   std::string text;
-  for (const BlockExtent& block : scan_blocks(document)) {
+  for (const BlockExtent& block : scan_blocks(document, language)) {
     const std::string_view whole = document.substr(block.whole.begin, block.whole.size());
     const bool is_environment = block.region == MathRegion::Environment;
     EXPECT_TRUE(whole.starts_with(is_environment ? "\\begin" : opener_of(block.region))) << whole;
@@ -35,7 +35,9 @@ std::string blocks_text(std::string_view document) {
     EXPECT_EQ(block.content.end, block.end.begin);
     if (!block.end.empty() && block.ended_by == BlockEnd::Closed) {
       const std::string_view end = whole.substr(block.end.begin, block.end.size());
-      EXPECT_EQ(end, is_environment ? "\\end" : closer_of(block.region));
+      const bool is_shortcut = block.region == MathRegion::Shortcut;
+      EXPECT_EQ(is_shortcut ? end.substr(0, 2) : end,
+                is_shortcut ? "\\e" : (is_environment ? "\\end" : closer_of(block.region)));
     }
     text += "[";
     text += whole.substr(block.content.begin, block.content.size());
@@ -91,6 +93,9 @@ constexpr Case kCases[] = {
     {"inline_without_end", "costs $5 = a\n\n$b=1$", "[b=1:closed]"},
     {"inline_before_a_block", "costs $5 = \\begin{equation}a\\end{equation}$b=1$", "[a:closed][b=1:closed]"},
     {"inline_before_an_item", "costs $5 =\n\\item $b=1$", "[b=1:closed]"},
+    {"stray_dollar", "costs 5$ and $b=1$, or 6$ and $c=2$", "[b=1:closed][c=2:closed]"},
+    {"words_in_dollars", "$ val $ and $b=1$", "[b=1:closed]"},
+    {"stray_dollar_before_a_display", "costs 5$ or $$b=1$$", "[b=1:closed]"},
     {"escaped_dollar", "\\$5 = \\$6 $b=1$", "[b=1:closed]"},
     {"dollar_in_comment", "% $a\n$b=1$", "[b=1:closed]"},
     {"dollar_in_comment_of_a_formula", "$b= % $\n1$", "[b= % $\n1:closed]"},
@@ -133,11 +138,71 @@ constexpr Case kCases[] = {
     {"inner_environment_without_end", "\\begin{equation}a\\begin{cases}b\\end{equation}", "[a\\begin{cases}b:closed]"},
     {"end_in_verb_inside", "\\begin{equation}a\\verb|\\end{equation}|\\end{equation}",
      "[a\\verb|\\end{equation}|:closed]"},
+    {"shortcut", "a \\be b=1\\ee c", "[ b=1:closed]"},
+    {"shortcut_of_rows", "\\bea a&=&1\\\\b&=&2\\eea", "[ a&=&1\\\\b&=&2:closed]"},
+    {"shortcut_and_its_definition", "\\newcommand{\\be}{\\begin{equation}}\\def\\ee{\\end{equation}}\n\\be a\\ee",
+     "[ a:closed]"},
+    {"shortcut_without_end", "\\be a=1\n\n\\ee $b=1$", "[b=1:closed]"},
+    {"shortcut_before_another", "\\be a=1 \\be b=1\\ee", "[ b=1:closed]"},
+    {"shortcut_with_another_end", "\\be a=1 \\eea $b=1$", "[b=1:closed]"},
+    {"end_of_a_shortcut_in_an_environment", "\\begin{equation}\\ee^x\\end{equation}", "[\\ee^x:closed]"},
     {"brace_without_end", "\\begin{equation \\begin{equation}a\\end{equation}", "[a:closed]"},
 };
 
 INSTANTIATE_TEST_SUITE_P(Documents, BlockScanner, testing::ValuesIn(kCases),
                          [](const auto& param_info) { return std::string(param_info.param.name); });
+
+class MarkdownBlocks : public testing::TestWithParam<Case> {};
+
+TEST_P(MarkdownBlocks, are_found) {
+  EXPECT_EQ(blocks_text(GetParam().document, TextLanguage::Markdown), GetParam().blocks);
+}
+
+constexpr Case kMarkdownCases[] = {
+    {"display", "# Title\n\n$$\nf = 1\n$$\n", "[\nf = 1\n:closed]"},
+    {"all_kinds", "\\[a=1\\] \\(b=2\\) $c=3$ \\begin{align}d=4\\end{align}",
+     "[a=1:closed][b=2:closed][c=3:closed][d=4:closed]"},
+    {"percent_is_text", "100% $a=1$", "[a=1:closed]"},
+    {"percent_in_mathematics", "$$a=1 % $$\n$$", "[a=1 % $$\n:closed]"},
+    {"prices", "costs $5 and $6, or 5\\$ and $a=1$", "[a=1:closed]"},
+    {"inline_code", "`$a=1$` and ``$b=1` $c=1$`` $d=1$", "[d=1:closed]"},
+    {"inline_code_of_two_lines", "`$a=1$\n$b=1$` $c=1$", "[c=1:closed]"},
+    {"no_code_over_a_blank_line", "` $a=1$\n\n` $b=1$", "[a=1:closed][b=1:closed]"},
+    {"lone_backtick", "a ` $a=1$ and ``", "[a=1:closed]"},
+    {"escaped_backtick", "\\` $a=1$ `", "[a=1:closed]"},
+    {"code_between_dollars", "costs 5$, see `$x=` and $a=1$", "[a=1:closed]"},
+    {"fence", "```tex\n$a=1$\n\n$$b=1$$\n```\n$c=1$", "[c=1:closed]"},
+    {"tildes", "~~~ `tex`\n$a=1$\n```\n~~~\n$c=1$", "[c=1:closed]"},
+    {"indented_fence", "   ```\n$a=1$\n  ```  \n$c=1$", "[c=1:closed]"},
+    {"four_spaces_close_no_fence", "```\n$a=1$\n    ```\n$b=1$\n```\n$c=1$", "[c=1:closed]"},
+    {"longer_fence", "````\n$a=1$\n```\n$b=1$\n`````\n$c=1$", "[c=1:closed]"},
+    {"closing_fence_has_no_word", "```\n$a=1$\n```tex\n$b=1$\n```\n$c=1$", "[c=1:closed]"},
+    {"open_fence", "$a=1$\n```\n$b=1$\n\n$c=1$", "[a=1:closed]"},
+    {"fence_ends_inline_code", "`a\n```\n$b=1$`\n```\n$c=1$", "[c=1:closed]"},
+    {"fence_in_crlf", "```\r\n$a=1$\r\n```\r\n$c=1$", "[c=1:closed]"},
+    {"no_fence_behind_mathematics", "$$a=1$$```\n$b=1$", "[a=1:closed][b=1:closed]"},
+    {"fence_of_mathematics", "```math\na=1\n\nb=1\n```\n$c=1$", "[a=1\n\nb=1\n:closed][c=1:closed]"},
+    {"tildes_of_mathematics", "~~~~ math \na=1\n~~~\n~~~~\n$c=1$", "[c=1:closed]"},
+    {"open_fence_of_mathematics", "```math\na=1", "[a=1:document-end]"},
+    {"fence_of_mathematics_and_words", "```math2\na=1\n```\n``` math b\nc=1\n```", ""},
+    {"backtick_dollars", "$`a=1`$ and $`b`$, `$`c=1$ or $`d=1$", "[a=1:closed]"},
+    {"html_comment", "<!-- $a=1$\n\n$b=1$ --> $c=1$", "[c=1:closed]"},
+    {"open_html_comment", "$a=1$ <!-- $b=1$", "[a=1:closed]"},
+    {"less_than", "a < b <! $a=1$", "[a=1:closed]"},
+};
+
+INSTANTIATE_TEST_SUITE_P(Documents, MarkdownBlocks, testing::ValuesIn(kMarkdownCases),
+                         [](const auto& param_info) { return std::string(param_info.param.name); });
+
+TEST(BlockScannerDirectives, of_markdown_belong_to_the_block_below_them) {
+  for (const char* document : {"<!-- texbrdf: root = g -->\n$$ g = 1 $$ prose", "<!--texbrdf: ignore-->$$x=y$$",
+                               "<!-- texbrdf: allow E3013 -->\n<!-- why -->\n\\[g=1\\] prose"}) {
+    size_t directives = 0;
+    for (const DocumentPart& part : scan_parts(document, TextLanguage::Markdown)) directives += part.directives.size();
+    EXPECT_EQ(directives, 0u) << document;
+    EXPECT_EQ(scan_blocks(document, TextLanguage::Markdown).size(), 1u) << document;
+  }
+}
 
 TEST(BlockScannerDirectives, belong_to_the_block_below_them) {
   for (const char* document : {"% texbrdf: root = g\n\\[ g = 1 \\] and prose", "% texbrdf: ignore\n$x=y$\nand prose",
@@ -164,14 +229,27 @@ TEST(BlockScannerSpeed, is_linear_in_documents_made_to_be_slow) {
                                           "\\[",
                                           "\\(a=",
                                           "$\\begin{x}",
-                                          "\n"};
+                                          "\n",
+                                          "`",
+                                          "` ``",
+                                          "\n```",
+                                          "\n```a`",
+                                          "~ ",
+                                          "<!--",
+                                          "<!-- texbrdf: ignore -->",
+                                          "$`\\text{",
+                                          "$`a",
+                                          "\\be ",
+                                          "\n```math\n"};
   for (const std::string_view piece : kPieces) {
     std::string document;
     while (document.size() < 4'000'000) document += piece;
-    const auto start = std::chrono::steady_clock::now();
-    scan_blocks(document);
-    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-    EXPECT_LT(passed.count(), 5.0) << piece;
+    for (const TextLanguage language : {TextLanguage::Latex, TextLanguage::Markdown}) {
+      const auto start = std::chrono::steady_clock::now();
+      scan_blocks(document, language);
+      const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+      EXPECT_LT(passed.count(), 5.0) << piece;
+    }
   }
 }
 

@@ -134,9 +134,9 @@ constexpr Case kUnknown[] = {
     {"\\", "Unknown|\\"},
     {"\xFF\xE2\x82", "Unknown|\xFF Unknown|\xE2 Unknown|\x82"},
     {"$", "Unknown|$"},
-    {"\\begin{cases}a\\end{cases}1", "Unknown|\\begin{cases}a\\end{cases} Number|1"},
+    {"\\begin{tabular}a\\end{tabular}1", "Unknown|\\begin{tabular}a\\end{tabular} Number|1"},
     {"\\begin{x}\\begin{x}\\end{x}\\end{x}1", "Unknown|\\begin{x}\\begin{x}\\end{x}\\end{x} Number|1"},
-    {"\\begin{cases}1", "Unknown|\\begin{cases} Number|1"},
+    {"\\begin{tabular}1", "Unknown|\\begin{tabular} Number|1"},
     {"\\begin 1", "Unknown|\\begin Number|1"},
 };
 INSTANTIATE_TEST_SUITE_P(Unknown, Lexer, testing::ValuesIn(kUnknown));

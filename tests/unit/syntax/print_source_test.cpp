@@ -43,6 +43,11 @@ INSTANTIATE_TEST_SUITE_P(Documented, PrintSource, testing::ValuesIn(kDocumented)
 constexpr Case kPrecedence[] = {
     {"a = 1+2*3-4/5", "a=((1+(2*3))-(4/5))"},
     {"a = 1/2/3*4", "a=(((1/2)/3)*4)"},
+    {"a = \\frac{1}23 + \\sqrt 42", "a=(((1/2)*3)+(\\sqrt(4)*2))"},
+    {"a = \\frac{d^2}{dx^2} x^3", "a=(\\frac{d^2}{d x^2}((x^3)))"},
+    {"a = \\frac{\\partial^3 g}{\\partial x\\partial y^2}", "a=(\\frac{d^2}{d y^2}((\\frac{d}{d x}(g))))"},
+    {"a = \\frac{\\partial^2}{\\partial x\\partial y} g", "a=(\\frac{d}{d x}((\\frac{d}{d y}(g))))"},
+    {"\\langle E_F\\rangle = b", "\\langle E_F\\rangle=b"},
     {"a = a\\cdot b*c", "a=((a*b)*c)"},
     {"a = a\\times b\\times c", "a=((a\\times b)\\times c)"},
     {"a = \\alpha\\times\\beta", "a=(\\alpha\\times\\beta)"},
@@ -87,6 +92,28 @@ constexpr Case kFunctions[] = {
     {"a = 2^\\sin x", "a=(2^\\sin(x))"},
 };
 INSTANTIATE_TEST_SUITE_P(Functions, PrintSource, testing::ValuesIn(kFunctions));
+
+constexpr Case kLeftSides[] = {
+    {"\\cos\\xi = x", "\\xi=\\arccos(x)"},
+    {"\\cos\\theta_{d} = L\\cdot H", "\\theta_{d}=\\arccos((L*H))"},
+    {"\\sin(\\mathbf{t}') = 1/n", "\\mathbf{t}'=\\arcsin((1/n))"},
+    {"\\tan{t_{i_1}} &= a+b", "t_{i_1}=\\arctan((a+b))"},
+    {"{f} = 1", "f=1"},
+    {"{\\color{blue} F(x)} = x", "F(x)=x"},
+    {"{{\\cos\\xi}} = x", "\\xi=\\arccos(x)"},
+    {"{\\bf n}(x) = x", "{\\bf n}(x)=x"},
+    {"h_r = h_r(i, o) = i", "h_r=i"},
+    {"g(x) = g = x = 2", "g(x)=x"},
+    {"g(x) = h = x", "g(x)=h"},
+    {"F(\\cos\\theta) = 1-\\cos\\theta", "F(\\cos(\\theta))=(1-\\cos(\\theta))"},
+    {"F(v\\cdot h, x) = v\\cdot h", "F((v*h),x)=(v*h)"},
+    {"f_r^{(1)}(x) = f_r^{(2)}(x)", "f_r^{(1)}(x)=f_r^{(2)}(x)"},
+    {"a = x^{(2)}", "a=(x^2)"},
+    {"a = F_LF_V", "a=(F_L*F_V)"},
+    {"a = F_LxyF_V^2", "a=((F_L*xy)*(F_V^2))"},
+    {"a = x_ab", "a=x_ab"},
+};
+INSTANTIATE_TEST_SUITE_P(LeftSides, PrintSource, testing::ValuesIn(kLeftSides));
 
 constexpr Case kNames[] = {
     {"\\rho_d(m, \\omega_i) = \\rho_d (1 , 2)", "\\rho_d(m,\\omega_i)=\\rho_d(1,2)"},
