@@ -107,7 +107,7 @@ class CheckChanges {
     if (state_of(name).in_knot) return {NameFact::Kind::Defined, poison(*key), parameters};
     const CheckedDefinition& checked = check(*key);
     if (checked.signature.has_implied_parameters) {
-      return {NameFact::Kind::Defined, checked.signature, implied_parameters(checked)};
+      return {NameFact::Kind::Defined, checked.signature, names_of_parameters(checked)};
     }
     return {NameFact::Kind::Defined, checked.signature, parameters};
   }

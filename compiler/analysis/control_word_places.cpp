@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <string>
 
+#include "source/characters.h"
 #include "syntax/markdown_code.h"
 #include "syntax/verbatim.h"
 
 namespace texbrdf {
 namespace {
-
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
 
 /// Goes over a text from one control word to the next.
 class Walk {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "analysis/equation_text.h"
+#include "ir/free_name.h"
 #include "ir/lower.h"
 #include "semantics/operator_rules.h"
 
@@ -140,7 +141,7 @@ ir::LinkableDefinition call_of_root(const Snapshot::State& state, const LocatedD
   const ParsedBlock& block = root.at.parsed();
   const CheckedDefinition& checked = root.checked();
   ir::LinkableDefinition call;
-  call.id = NameId{state.names->size()};  // no definition of the document has it
+  call.id = ir::free_name(0);
   call.name = read_name(block, root.syntax().name);
   call.canonical = canonical_form(call.name);
   call.signature = {.is_function = false, .parameters = {}, .result = checked.signature.result};

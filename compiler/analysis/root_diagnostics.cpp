@@ -68,16 +68,18 @@ class RootDiagnostics {
     const Signature& signature = definition.checked().signature;
     if (!definition.checked().sound || is_brdf(signature)) return;
     if (root_arguments(state_, definition)) return;
-    if (signature.has_implied_parameters) return report_implied(definition);
+    if (signature.has_implied_parameters && report_implied(definition)) return;
     all_.push_back(make_diagnostic(Code::RootShape, definition.name_place(), {root_, signature_text(signature)}));
   }
 
-  // Nobody says what the names mean that the root leaves to those that mention it.
-  void report_implied(const LocatedDefinition& root) {
+  // Nobody says what the names mean that the root leaves to those that mention it. False where all are known.
+  bool report_implied(const LocatedDefinition& root) {
+    const size_t before = all_.size();
     for (const CheckedParameter& parameter : root.checked().parameters) {
       if (state_.names->traits(parameter.name).meaning() || state_.find(parameter.name)) continue;
       report_undefined(root, parameter);
     }
+    return all_.size() > before;
   }
 
   // Where the name itself stands, which may be in what the root is made of.

@@ -8,6 +8,7 @@
 #include "analysis/macro_places.h"
 #include "analysis/needed_names.h"
 #include "analysis/snapshot_state.h"
+#include "source/characters.h"
 #include "source/internal_error.h"
 
 namespace texbrdf {
@@ -33,10 +34,6 @@ Definition public_definition(const LocatedDefinition& at) {
 
 constexpr uint32_t kLongestMacroName = 100;
 
-bool is_ascii_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
 /// Of a use in an equation, or of a definition.
 std::optional<MacroUse> macro_that_is_read(const Snapshot::State& state, const MacroPlaces& places,
                                            std::optional<BlockId> id, uint32_t offset) {
@@ -58,7 +55,7 @@ std::optional<MacroUse> macro_that_is_written(const Snapshot& snapshot, const Ma
   const size_t backslash = near.rfind('\\', offset - first);
   if (backslash == std::string::npos) return std::nullopt;
   size_t end = backslash + 1;
-  while (end < near.size() && is_ascii_letter(near[end])) ++end;
+  while (end < near.size() && is_letter(near[end])) ++end;
   const Span span{first + static_cast<uint32_t>(backslash), first + static_cast<uint32_t>(end)};
   const std::string name = near.substr(backslash + 1, end - backslash - 1);
   if (!span.touches(offset) || !known.definition_of(name)) return std::nullopt;

@@ -12,7 +12,7 @@ NameFact fact_of(const Snapshot& snapshot, DefinitionId id) {
   fact.kind = NameFact::Kind::Defined;
   fact.signature = definition.checked->signature;
   fact.parameters = fact.signature.has_implied_parameters
-                        ? implied_parameters(*definition.checked)
+                        ? names_of_parameters(*definition.checked)
                         : parameter_names(snapshot.parsed(definition.block), snapshot.syntax(id),
                                           snapshot.names_of(definition.block));
   return fact;

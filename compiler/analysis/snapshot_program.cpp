@@ -7,6 +7,7 @@
 #include "analysis/root_arguments.h"
 #include "analysis/snapshot_facts.h"
 #include "analysis/snapshot_state.h"
+#include "ir/free_name.h"
 #include "ir/lower.h"
 #include "ir/passes/passes.h"
 #include "semantics/parameter.h"
@@ -183,7 +184,7 @@ Result<ir::Program> Snapshot::program(std::string_view root, const ir::LinkOptio
   }
   ir::LinkableDefinition function =
       make_linkable(*state_->names, located, located.checked(), ir::Expressions::AreWrittenOut);
-  function.id = NameId{state_->names->size() + 1};
+  function.id = ir::free_name(1);
   const ir::LinkableDefinition call = call_of_root(*state_, located, function.id, *arguments);
   const auto lookup = [&](const Instance& use) {
     if (use.function == call.id) return &call;

@@ -15,7 +15,7 @@ class Neighbours {
  public:
   explicit Neighbours(const DefinitionView& view) : view_(view) {
     const std::span all(view.block.definitions);
-    const auto own = std::ranges::find(all, view.syntax.node, &DefinitionSyntax::node);
+    const auto own = std::ranges::lower_bound(all, view.syntax.node, {}, &DefinitionSyntax::node);
     const auto index = static_cast<size_t>(own - all.begin());
     const size_t first = index - std::min(index, kReach);
     near_ = all.subspan(first, std::min(all.size(), index + kReach + 1) - first);

@@ -15,7 +15,7 @@ namespace texbrdf {
 std::vector<NameId> parameters_of_users(const DefinitionView& view);
 
 /// What the parameters of a definition that has them are called.
-inline std::vector<NameId> implied_parameters(const CheckedDefinition& checked) {
+inline std::vector<NameId> names_of_parameters(const CheckedDefinition& checked) {
   std::vector<NameId> names;
   for (const CheckedParameter& parameter : checked.parameters) names.push_back(parameter.name);
   return names;

@@ -1,5 +1,7 @@
 #include "semantics/resolve.h"
 
+#include <algorithm>
+
 #include "semantics/argument_expressions.h"
 #include "semantics/component.h"
 #include "semantics/direction_places.h"
@@ -562,8 +564,9 @@ SmallNameMap mentioned_names(const ParsedBlock& block, const DefinitionSyntax& d
       if (!is_own) mentioned.insert(possible);
     }
   }
-  for (const PossibleName& possible : names.possible) {
-    if (possible.node > definition.name && possible.node < definition.node) mentioned.insert(possible.name);
+  auto possible = std::ranges::upper_bound(names.possible, definition.name, {}, &PossibleName::node);
+  for (; possible != names.possible.end() && possible->node < definition.node; ++possible) {
+    mentioned.insert(possible->name);
   }
   return mentioned;
 }

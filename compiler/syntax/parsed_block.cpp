@@ -16,15 +16,15 @@ Location at_begin(const ParsedBlock& block) {
 }
 
 std::string_view environment_of(const ParsedBlock& block) {
-  const std::string_view mark = block.slice(block.extent.begin);
-  const size_t open = mark.find('{') + 1;
-  return mark.substr(open, mark.find('}', open) - open);
+  return environment_name(block.slice(block.extent.begin));
+}
+
+const MathShortcut& shortcut_of(const ParsedBlock& block) {
+  return *find_math_shortcut(block.slice(block.extent.begin).substr(1));
 }
 
 bool has_columns(const ParsedBlock& block) {
-  if (block.extent.region == MathRegion::Shortcut) {
-    return find_math_shortcut(block.slice(block.extent.begin).substr(1))->has_columns;
-  }
+  if (block.extent.region == MathRegion::Shortcut) return shortcut_of(block).has_columns;
   if (block.extent.region != MathRegion::Environment) return false;
   const MathEnvironment* const environment = find_math_environment(environment_of(block));
   return environment != nullptr && environment->has_columns;
@@ -56,8 +56,20 @@ std::string begin_of_block(const ParsedBlock& block) {
 }
 
 std::string end_of_block(const ParsedBlock& block) {
-  if (block.extent.region != MathRegion::Environment) return std::string(closer_of(block.extent.region));
-  return "\\end{" + std::string(environment_of(block)) + "}";
+  switch (block.extent.region) {
+    case MathRegion::Environment:
+      return "\\end{" + std::string(environment_of(block)) + "}";
+    case MathRegion::Shortcut:
+      return "\\" + std::string(shortcut_of(block).closer);
+    case MathRegion::Brackets:
+    case MathRegion::DoubleDollars:
+    case MathRegion::Parentheses:
+    case MathRegion::Dollars:
+    case MathRegion::Fence:
+    case MathRegion::BacktickDollars:
+      return std::string(closer_of(block.extent.region));
+  }
+  return {};
 }
 
 NodeId ParsedBlock::parameter_name(NodeId parameter) const {

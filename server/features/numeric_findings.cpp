@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 #include "eval/compile.h"
 #include "eval/evaluate.h"
 #include "features/integral_error.h"
 #include "features/sample_geometries.h"
+#include "ir/free_name.h"
 #include "ir/lower.h"
 
 namespace texbrdf::features {
@@ -66,7 +66,7 @@ class Comparisons {
     if (!convention || definition == nullptr || definition->signature.is_function) return false;
     if (!fits(definition->signature.result, convention_entry(*convention).type)) return false;
     ir::LinkableDefinition usual = *definition;
-    usual.id = free_name(0);
+    usual.id = ir::free_name(0);
     usual.literal.reset();
     usual.graph = {};
     usual.graph.roots = {usual.graph.whole_convention(*convention)};
@@ -97,19 +97,18 @@ class Comparisons {
   }
 
  private:
-  /// No document has so many names. Their count may grow while this runs.
-  static NameId free_name(uint32_t index) { return {ir::kFirstInstance - 1 - index}; }
-
   /// As if the later right side were the only one.
   std::optional<ir::LinkableDefinition> restatement(DefinitionId id, NodeId body) {
     const Definition definition = snapshot_.definition(id);
     const CheckedRestatement again = snapshot_.check_restatement({id, body});
     asked_.insert(asked_.end(), again.asked.begin(), again.asked.end());
     const Signature& signature = again.checked.signature;
+    // The graphs of instances are kept by their names, so a second meaning of this name would mix with the first.
+    if (!again.checked.instance_calls.empty()) return std::nullopt;
     if (!again.checked.sound || signature.parameters != definition.checked->signature.parameters) return std::nullopt;
     if (!fits(signature.result, definition.checked->signature.result)) return std::nullopt;
     ir::LinkableDefinition linkable = *snapshot_.linkable(definition.name);
-    linkable.id = free_name(0);
+    linkable.id = ir::free_name(0);
     linkable.literal.reset();
     linkable.graph = ir::lower_definition(snapshot_.parsed(definition.block), again.syntax,
                                           snapshot_.names_of(definition.block), again.checked);
@@ -142,7 +141,7 @@ class Comparisons {
 
   ir::LinkableDefinition sample_call(const ir::LinkableDefinition& callee) const {
     ir::LinkableDefinition call;
-    call.id = free_name(1);
+    call.id = ir::free_name(1);
     call.name = callee.name;
     call.canonical = callee.canonical;
     call.signature.result = callee.signature.result;

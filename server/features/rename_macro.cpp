@@ -7,6 +7,7 @@
 #include "features/places.h"
 #include "semantics/conventions.h"
 #include "semantics/name_traits.h"
+#include "source/characters.h"
 #include "syntax/control_words.h"
 #include "syntax/macro_definition.h"
 
@@ -26,7 +27,6 @@ std::string refusal(const MacroOccurrence& macro) {
 
 /// Why it cannot be called so; empty where it can.
 std::string conflict(const Snapshot& snapshot, std::string_view word) {
-  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
   if (word.empty() || !std::ranges::all_of(word, is_letter)) return "a macro's name is made of letters";
   if (is_command(word)) return fmt::format("`\\{}` is a command of LaTeX", word);
   const std::vector<Span> places = snapshot.places_of_macro(word);

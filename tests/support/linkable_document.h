@@ -152,7 +152,7 @@ class LinkableDocument {
     NameFact& fact = facts_.known[source.name()];
     fact.kind = NameFact::Kind::Defined;
     fact.signature = checked.signature;
-    fact.parameters = checked.signature.has_implied_parameters ? implied_parameters(checked)
+    fact.parameters = checked.signature.has_implied_parameters ? names_of_parameters(checked)
                                                                : parameter_names(block, *source.syntax, source.names);
     add_definition({source.name(), {}}, source, checked);
   }

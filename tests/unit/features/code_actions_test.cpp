@@ -119,6 +119,7 @@ TEST(CodeActions, DefineTheMissingName) {
        "\\end{equation*}"},
       {equation("f = q"), "define `q` in a new equation",
        "\\begin{equation}\n  q = 1\n\\end{equation}\n" + equation("f = q")},
+      {"\\be f = q \\ee", "define `q` in a new equation", "\\be\n  q = 1\n\\ee\n\\be f = q \\ee"},
       // A value of the type that fits.
       {equation("f = \\vec{n} \\times q"), "define `q` in a new equation",
        "\\begin{equation}\n  q = \\vec{1, 1, 1}\n\\end{equation}\n" + equation("f = \\vec{n} \\times q")},
