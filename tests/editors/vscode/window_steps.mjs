@@ -4,15 +4,20 @@ import { frame, waitForPicture } from './pictures.mjs';
 
 const exponent = { in: '% range' };
 
-/** The page unfolds the step that is clicked, and what stands below moves: a click may miss its button. */
+/**
+ * The page unfolds the step that is clicked, and what stands below moves: a click may miss its button. A second click while
+ * the first one's preview is still opening would land on what opens in the page's place, so each is given time.
+ */
 async function openFromWalkthrough(editor) {
   const step = editor.page.locator('.getting-started-step', { hasText: 'See it' }).first();
   const button = editor.page.locator('.getting-started-step.expanded').getByText('Open the preview');
+  const tab = editor.page.locator('.tab', { hasText: 'BRDF Untitled-1' });
   await waitUntil(async () => {
     if (await button.count() === 0) await step.click();
     await button.last().click({ timeout: 3000 }).catch(() => undefined);
-    return editor.page.locator('.tab', { hasText: 'BRDF Untitled-1' }).count();
-  }, (tabs) => tabs > 0, () => 'no preview was opened');
+    return tab.waitFor({ timeout: 10_000 }).then(() => true, () => false);
+  }, (opened) => opened, () => 'no preview was opened');
+  await tab.click();
 }
 
 export const windowSteps = [
