@@ -18,6 +18,7 @@ Subcommand add_check(CLI::App& program);
 Subcommand add_compile(CLI::App& program);
 Subcommand add_eval(CLI::App& program);
 Subcommand add_render(CLI::App& program);
+Subcommand add_plot(CLI::App& program);
 Subcommand add_print(CLI::App& program);
 Subcommand add_ast(CLI::App& program);
 Subcommand add_lsp(CLI::App& program);

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "features/value_text.h"
-#include "lsp/base64.h"
+#include "render/base64.h"
 #include "lsp/session.h"
 
 namespace texbrdf::lsp {
@@ -25,7 +25,7 @@ std::string range_text(const preview::ExpressionLook& look) {
 }
 
 std::string picture(const preview::ExpressionLook& look) {
-  return fmt::format("![over the sphere](data:image/png;base64,{})", base64(look.png));
+  return fmt::format("![over the sphere](data:image/png;base64,{})", render::base64(look.png));
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <variant>
 
 #include "features/model_parameters.h"
-#include "lsp/base64.h"
+#include "render/base64.h"
 #include "lsp/session.h"
 
 namespace texbrdf::lsp {
@@ -41,7 +41,7 @@ void write_frame(JsonWriter& out, const std::string& uri, const preview::Frame& 
   out.member("source", frame.device == preview::Device::Cpu ? "cpu" : "gpu");
   out.member("width", frame.size);
   out.member("height", frame.size);
-  out.member("png", base64(frame.png));
+  out.member("png", render::base64(frame.png));
   out.member("milliseconds", frame.milliseconds);
   out.key("badPixels");
   out.begin_object();

@@ -1,9 +1,9 @@
-#include "lsp/base64.h"
+#include "render/base64.h"
 
 #include <algorithm>
 #include <string_view>
 
-namespace texbrdf::lsp {
+namespace texbrdf::render {
 
 std::string base64(std::span<const uint8_t> bytes) {
   constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -18,4 +18,4 @@ std::string base64(std::span<const uint8_t> bytes) {
   return text;
 }
 
-}  // namespace texbrdf::lsp
+}  // namespace texbrdf::render

@@ -1,10 +1,10 @@
-#include "lsp/base64.h"
+#include "render/base64.h"
 
 #include <gtest/gtest.h>
 
 #include <string_view>
 
-namespace texbrdf::lsp {
+namespace texbrdf::render {
 namespace {
 
 std::string encoded(std::string_view text) {
@@ -23,4 +23,4 @@ TEST(Base64, PadsWhatIsNoMultipleOfThree) {
 }
 
 }  // namespace
-}  // namespace texbrdf::lsp
+}  // namespace texbrdf::render
