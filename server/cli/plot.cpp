@@ -11,7 +11,9 @@
 #include "cli/model.h"
 #include "cli/subcommands.h"
 #include "plots/csv.h"
+#include "plots/raster.h"
 #include "plots/svg.h"
+#include "render/png.h"
 
 namespace texbrdf::cli {
 namespace {
@@ -29,19 +31,28 @@ struct PlotOptions {
   std::string output;
 };
 
-bool is_csv(const PlotOptions& options) {
-  return options.output.ends_with(".csv");
+enum class Format : uint8_t { Unknown, Svg, Png, Csv };
+
+Format format_of(std::string_view path) {
+  if (path.ends_with(".svg")) return Format::Svg;
+  if (path.ends_with(".png")) return Format::Png;
+  if (path.ends_with(".csv")) return Format::Csv;
+  return Format::Unknown;
+}
+
+std::string written(const plots::Plot& plot, Format format) {
+  if (format == Format::Csv) return plots::write_csv(plot);
+  const plots::Drawing drawing = plots::draw(plot);
+  if (format == Format::Svg) return plots::write_svg(drawing);
+  const std::vector<uint8_t> png = render::encode_png(plots::rasterise(drawing), render::PngEffort::Small);
+  return {png.begin(), png.end()};
 }
 
 std::optional<std::string> usage_fault(const PlotOptions& options) {
   if (auto fault = plots::find_fault(options.request)) return fault;
   if (auto fault = plots::find_fault(options.look)) return fault;
-  if (!is_csv(options) && !options.output.ends_with(".svg")) {
-    return fmt::format("--output has to end with .svg or .csv, got '{}'", options.output);
-  }
-  const bool is_grid = options.request.view == plots::View::Lobe || options.request.view == plots::View::Slice;
-  if (is_grid && !is_csv(options)) {
-    return fmt::format("--view {} can only be written as .csv", plots::word_of(options.request.view));
+  if (format_of(options.output) == Format::Unknown) {
+    return fmt::format("--output has to end with .svg, .png or .csv, got '{}'", options.output);
   }
   return std::nullopt;
 }
@@ -79,8 +90,7 @@ ExitCode plot(const PlotOptions& options) {
     }
     plot.series.push_back(*std::move(series));
   }
-  const std::string text = is_csv(options) ? plots::write_csv(plot) : plots::write_svg(plots::draw(plot));
-  if (const auto failure = write_output(options.output, text)) {
+  if (const auto failure = write_output(options.output, written(plot, format_of(options.output)))) {
     print_message(failure->message);
     return ExitCode::BadUsage;
   }
@@ -108,7 +118,7 @@ Subcommand add_plot(CLI::App& program) {
       ->transform(CLI::CheckedTransformer(views).description(""))
       ->type_name("VIEW")
       ->required();
-  arguments->add_option("-o,--output", options->output, "the file to write, by its ending: .svg, .csv")
+  arguments->add_option("-o,--output", options->output, "the file to write, by its ending: .svg, .png, .csv")
       ->type_name("OUT")
       ->required();
   const std::map<std::string, plots::Channels> channels{{"r", plots::Channels::Red},

@@ -24,6 +24,7 @@ class Canvas {
 
   double width() const { return drawing_.width; }
   double height() const { return drawing_.height; }
+  const Font& font() const { return font_; }
 
   void add(Shape shape) { drawing_.shapes.push_back(std::move(shape)); }
   void line(Point from, Point to, const Stroke& stroke);
@@ -35,6 +36,7 @@ class Canvas {
 
  private:
   Drawing drawing_;
+  Font font_;
 };
 
 /// Part of a circle as points, degrees counted as on paper: 0 to the right, 90 up.

@@ -6,8 +6,6 @@
 #include <array>
 #include <utility>
 
-#include "plots/font.h"
-
 namespace texbrdf::plots {
 namespace {
 
@@ -85,10 +83,10 @@ void draw_legend(Canvas& canvas, const std::vector<Trace>& traces, double left, 
   }
 }
 
-double legend_width(const std::vector<Trace>& traces) {
+double legend_width(const Canvas& canvas, const std::vector<Trace>& traces) {
   double width = 0;
   for (const Trace& trace : traces) {
-    if (!trace.name.empty()) width = std::max(width, text_width(trace.name, kTextSize));
+    if (!trace.name.empty()) width = std::max(width, canvas.font().width_of(trace.name, kTextSize));
   }
   return width == 0 ? 0 : width + kSampleLength + 2 * kGap;
 }
@@ -154,7 +152,7 @@ Layout draw_surroundings(Canvas& canvas, const Plot& plot, const std::vector<Tra
     canvas.text({kMargin, notes_top + kLineHeight * (static_cast<double>(i) + 0.75)}, Anchor::Start, plain(notes[i]),
                 kSmallText, kWarning);
   }
-  const double width = legend_width(traces);
+  const double width = legend_width(canvas, traces);
   const double right = canvas.width() - kMargin - (width == 0 ? 0 : std::min(width, canvas.width() / 2));
   draw_legend(canvas, traces, right + kGap, top + kGap);
   return {.plot = {kMargin, top, right, notes_top - kGap}, .notes_top = notes_top};

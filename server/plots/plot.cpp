@@ -8,7 +8,8 @@
 #include "plots/albedo.h"
 #include "plots/channels.h"
 #include "plots/draw_curves.h"
-#include "source/internal_error.h"
+#include "plots/draw_lobe.h"
+#include "plots/draw_slice.h"
 
 namespace texbrdf::plots {
 namespace {
@@ -75,10 +76,10 @@ Drawing draw(const Plot& plot) {
     case View::Albedo:
       return draw_cartesian(plot);
     case View::Lobe:
+      return draw_lobe(plot);
     case View::Slice:
-      break;
+      return draw_slice(plot);
   }
-  require(false, "a view that has no drawing");
   return {};
 }
 
