@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <charconv>
-#include <map>
 #include <span>
 
 #include "cli/files.h"
@@ -28,24 +27,8 @@ class DiskFiles final : public lsp::FileSource {
   }
 };
 
-using Values = std::map<std::string, std::vector<double>>;
-
-/// "0.2" or "0.1,0.2,0.3".
-std::optional<std::vector<double>> read_numbers(std::string_view text) {
-  std::vector<double> numbers;
-  while (true) {
-    const std::string_view word = text.substr(0, text.find(','));
-    double number = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-    if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
-    numbers.push_back(number);
-    if (word.size() == text.size()) return numbers;
-    text.remove_prefix(word.size() + 1);
-  }
-}
-
-Result<Values> read_settings(const std::vector<std::string>& settings) {
-  Values values;
+Result<ParameterValues> read_settings(const std::vector<std::string>& settings) {
+  ParameterValues values;
   for (const std::string& setting : settings) {
     const std::size_t equals = setting.find('=');
     const std::string name = setting.substr(0, equals);
@@ -64,6 +47,19 @@ Result<Values> read_settings(const std::vector<std::string>& settings) {
 }
 
 }  // namespace
+
+std::optional<std::vector<double>> read_numbers(std::string_view text) {
+  std::vector<double> numbers;
+  while (true) {
+    const std::string_view word = text.substr(0, text.find(','));
+    double number = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
+    numbers.push_back(number);
+    if (word.size() == text.size()) return numbers;
+    text.remove_prefix(word.size() + 1);
+  }
+}
 
 std::variant<NamedDocument, ExitCode> read_document(const std::string& path) {
   Result<std::string> bytes = read_input(path);
@@ -103,16 +99,20 @@ std::optional<std::string> root_option(const std::string& typed) {
 
 void add_model_options(CLI::App& arguments, ModelOptions& options) {
   arguments.add_option("FILE", options.file, "a LaTeX document, - for standard input")->required();
+  add_model_choice(arguments, options);
+}
+
+void add_model_choice(CLI::App& arguments, ModelOptions& options) {
   add_root_option(arguments, options.root);
   arguments.add_option("--set", options.settings, "another value for a parameter: m=0.2, \\rho_d=0.1,0.2,0.3")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
 }
 
-std::variant<Model, ExitCode> load_model(const ModelOptions& options) {
+std::variant<ModelSource, ExitCode> load_model_source(const ModelOptions& options) {
   const std::optional<std::string> root = root_option(options.root);
   if (!root) return ExitCode::BadUsage;
-  const Result<Values> values = read_settings(options.settings);
+  Result<ParameterValues> values = read_settings(options.settings);
   if (!values) {
     print_message(values.error());
     return ExitCode::BadUsage;
@@ -128,12 +128,25 @@ std::variant<Model, ExitCode> load_model(const ModelOptions& options) {
     print_message(fmt::format("{}: {}", named.file_names.front(), plain.error()));
     return ExitCode::DocumentHasErrors;
   }
-  Result<ir::Program> program = snapshot.program(*root, ir::LinkOptions{.values = *values});
+  return ModelSource{std::move(named), *root, *std::move(values), has_error(diagnostics)};
+}
+
+Result<ir::Program> ModelSource::program(const ParameterValues& others) {
+  ir::LinkOptions options{.values = values};
+  for (const auto& [name, value] : others) options.values[name] = value;
+  return named.document.snapshot().program(root, options);
+}
+
+std::variant<Model, ExitCode> load_model(const ModelOptions& options) {
+  auto loaded = load_model_source(options);
+  if (const auto* failed = std::get_if<ExitCode>(&loaded)) return *failed;
+  ModelSource& source = std::get<ModelSource>(loaded);
+  Result<ir::Program> program = source.program();
   if (!program) {
     print_message(program.error());
     return ExitCode::BadUsage;
   }
-  return Model{*std::move(program), has_error(diagnostics)};
+  return Model{*std::move(program), source.document_has_errors};
 }
 
 }  // namespace texbrdf::cli

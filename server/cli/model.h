@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +11,7 @@
 #include "analysis/document.h"
 #include "cli/exit_code.h"
 #include "ir/program.h"
+#include "source/result.h"
 
 namespace texbrdf::cli {
 
@@ -35,6 +37,8 @@ struct ModelOptions {
   std::vector<std::string> settings;  ///< NAME=VALUE, as typed
 };
 
+/// Declares --root and --set.
+void add_model_choice(CLI::App& arguments, ModelOptions& options);
 /// Declares FILE, --root and --set.
 void add_model_options(CLI::App& arguments, ModelOptions& options);
 
@@ -46,6 +50,25 @@ struct Model {
   /// What a command that did its work exits with.
   ExitCode exit_code() const { return document_has_errors ? ExitCode::DocumentHasErrors : ExitCode::Fine; }
 };
+
+using ParameterValues = std::map<std::string, std::vector<double>>;  ///< by canonical name
+
+/// "0.2" or "0.1,0.2,0.3".
+std::optional<std::vector<double>> read_numbers(std::string_view text);
+
+/// A document from which models can be had that differ in the values of parameters.
+struct ModelSource {
+  NamedDocument named;
+  std::string root;        ///< canonical
+  ParameterValues values;  ///< of --set
+  bool document_has_errors = false;
+
+  /// Fails where a value does not fit.
+  Result<ir::Program> program(const ParameterValues& others = {});
+};
+
+/// As load_model, without a program yet.
+std::variant<ModelSource, ExitCode> load_model_source(const ModelOptions& options);
 
 /// Reads and compiles; writes errors and warnings to standard error. Where there is no model: the exit code.
 std::variant<Model, ExitCode> load_model(const ModelOptions& options);

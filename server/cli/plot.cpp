@@ -2,9 +2,13 @@
 
 #include <fmt/core.h>
 
-#include <filesystem>
+#include <algorithm>
+#include <charconv>
 #include <map>
 #include <memory>
+#include <optional>
+#include <string_view>
+#include <utility>
 
 #include "cli/files.h"
 #include "cli/messages.h"
@@ -14,20 +18,24 @@
 #include "plots/raster.h"
 #include "plots/svg.h"
 #include "render/png.h"
+#include "semantics/names.h"
 
 namespace texbrdf::cli {
 namespace {
 
-/// Of the evaluator, for all series together: some ten seconds.
+/// Of the evaluator, for all series together: some twenty seconds.
 constexpr uint64_t kMostSteps = 1'000'000'000;
 constexpr int kRefinements = 6;
+/// More cannot be told apart.
+constexpr std::size_t kMostSeries = 32;
 
 struct PlotOptions {
-  ModelOptions model;
+  ModelOptions model;  ///< its file is each of `files` in turn
   std::vector<std::string> files;
+  std::string variation;  ///< NAME=A,B,C, as typed; empty: none
   plots::Request request;
   plots::Look look;
-  bool is_log = false;
+  std::string size;
   std::string output;
 };
 
@@ -48,101 +56,218 @@ std::string written(const plots::Plot& plot, Format format) {
   return {png.begin(), png.end()};
 }
 
-std::optional<std::string> usage_fault(const PlotOptions& options) {
+/// A parameter and the values that are held against each other.
+struct Variation {
+  std::string typed_name;
+  std::string name;  ///< canonical
+  std::vector<std::vector<double>> values;
+  std::vector<std::string> typed_values;
+};
+
+Failure bad_variation(std::string_view typed) {
+  return {fmt::format(
+      "--vary takes NAME=A,B,C or, of a colour, NAME=R,G,B;R,G,B with a number for each letter, got '{}'", typed)};
+}
+
+Result<Variation> read_variation(const std::string& typed) {
+  const std::size_t equals = typed.find('=');
+  Variation variation;
+  variation.typed_name = typed.substr(0, equals);
+  const std::optional<std::string> canonical = canonical_name(variation.typed_name);
+  if (equals == std::string::npos || !canonical) return bad_variation(typed);
+  variation.name = *canonical;
+  std::string_view rest = std::string_view(typed).substr(equals + 1);
+  const char separator = rest.find(';') != std::string_view::npos ? ';' : ',';
+  while (true) {
+    const std::string_view word = rest.substr(0, rest.find(separator));
+    const auto numbers = read_numbers(word);
+    if (!numbers) return bad_variation(typed);
+    variation.values.push_back(*numbers);
+    variation.typed_values.emplace_back(word);
+    if (word.size() == rest.size()) return variation;
+    rest.remove_prefix(word.size() + 1);
+  }
+}
+
+/// "720x480", or "480" for a square.
+bool read_size(std::string_view typed, plots::Look& look) {
+  const auto read = [](std::string_view text, uint32_t& number) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc{} && end == text.data() + text.size();
+  };
+  const std::string_view width = typed.substr(0, typed.find('x'));
+  const std::string_view height = width.size() == typed.size() ? width : typed.substr(width.size() + 1);
+  return read(width, look.width) && read(height, look.height);
+}
+
+std::optional<std::string> usage_fault(PlotOptions& options) {
+  if (!options.size.empty() && !read_size(options.size, options.look)) {
+    return fmt::format("--size takes WIDTHxHEIGHT, got '{}'", options.size);
+  }
   if (auto fault = plots::find_fault(options.request)) return fault;
   if (auto fault = plots::find_fault(options.look)) return fault;
   if (format_of(options.output) == Format::Unknown) {
     return fmt::format("--output has to end with .svg, .png or .csv, got '{}'", options.output);
   }
+  if (std::ranges::count(options.files, "-") > 1) return "only one document can be standard input";
   return std::nullopt;
 }
 
-std::string label_of(const PlotOptions& options, const std::string& file) {
-  return options.files.size() == 1 ? "" : std::filesystem::path(input_name(file)).stem().string();
+std::string stem_of(const std::string& file) {
+  if (file == "-") return "standard input";
+  const std::string name = file.substr(file.rfind('/') + 1);
+  const std::size_t dot = name.rfind('.');
+  return dot == 0 ? name : name.substr(0, dot);
 }
 
-ExitCode plot(const PlotOptions& options) {
-  if (const auto fault = usage_fault(options)) {
-    print_message(*fault);
-    return ExitCode::BadUsage;
+/// Joins what the documents and the values give to one plot.
+class PlotMaker {
+ public:
+  PlotMaker(const PlotOptions& options, const std::optional<Variation>& variation)
+      : options_(options), variation_(variation) {
+    plot_.request = options.request;
+    plot_.look = options.look;
+    if (options.files.size() == 1) plot_.title = stem_of(options.files.front());
   }
-  plots::Plot plot{.request = options.request, .look = options.look, .title = {}, .series = {}};
-  if (options.is_log) plot.look.scale = plots::ScaleKind::Log;
-  if (options.files.size() == 1) plot.title = std::filesystem::path(input_name(options.files[0])).stem().string();
-  ExitCode status = ExitCode::Fine;
-  for (const std::string& file : options.files) {
-    ModelOptions one = options.model;
+
+  std::size_t count() const { return options_.files.size() * (variation_ ? variation_->values.size() : 1); }
+
+  /// Says on standard error what is wrong.
+  std::optional<ExitCode> add_file(const std::string& file) {
+    ModelOptions one = options_.model;
     one.file = file;
-    auto loaded = load_model(one);
+    auto loaded = load_model_source(one);
     if (const auto* failed = std::get_if<ExitCode>(&loaded)) return *failed;
-    Model& model = std::get<Model>(loaded);
-    if (model.document_has_errors) status = ExitCode::DocumentHasErrors;
-    const auto exact = preview::ExactModel::compile(std::move(model.program));
-    if (!exact) {
-      print_message(fmt::format("{}: {}", input_name(file), exact.error()));
-      return ExitCode::DocumentHasErrors;
+    ModelSource& source = std::get<ModelSource>(loaded);
+    if (source.document_has_errors) status_ = ExitCode::DocumentHasErrors;
+    const std::string label = options_.files.size() == 1 ? "" : stem_of(file);
+    if (!variation_) return add_series(source, {}, label);
+    for (std::size_t i = 0; i < variation_->values.size(); ++i) {
+      const std::string value = fmt::format("{} = {}", variation_->typed_name, variation_->typed_values[i]);
+      const auto failed = add_series(source, {{variation_->name, variation_->values[i]}},
+                                     label.empty() ? value : fmt::format("{}, {}", label, value));
+      if (failed) return failed;
     }
-    auto series = plots::sample(*exact, label_of(options, file), options.request,
-                                {.steps = kMostSteps / options.files.size(), .refinements = kRefinements});
-    if (!series) {
-      print_message(fmt::format("{}: {}", input_name(file), series.error()));
-      return ExitCode::DocumentHasErrors;
-    }
-    plot.series.push_back(*std::move(series));
+    return std::nullopt;
   }
-  if (const auto failure = write_output(options.output, written(plot, format_of(options.output)))) {
-    print_message(failure->message);
-    return ExitCode::BadUsage;
+
+  const plots::Plot& plot() const { return plot_; }
+  ExitCode status() const { return status_; }
+
+ private:
+  std::optional<ExitCode> add_series(ModelSource& source, const ParameterValues& values, std::string label) {
+    Result<ir::Program> program = source.program(values);
+    if (!program) return failed(ExitCode::BadUsage, source, program.error());
+    const auto model = preview::ExactModel::compile(*std::move(program));
+    if (!model) return failed(ExitCode::DocumentHasErrors, source, model.error());
+    auto series = plots::sample(*model, std::move(label), options_.request,
+                                {.steps = kMostSteps / count(), .refinements = kRefinements});
+    if (!series) return failed(ExitCode::DocumentHasErrors, source, series.error());
+    plot_.series.push_back(*std::move(series));
+    return std::nullopt;
   }
-  for (const std::string& note : plots::notes_of(plot)) print_message(note);
-  return status;
+
+  static ExitCode failed(ExitCode code, const ModelSource& source, std::string_view reason) {
+    print_message(fmt::format("{}: {}", source.named.file_names.front(), reason));
+    return code;
+  }
+
+  const PlotOptions& options_;
+  const std::optional<Variation>& variation_;
+  plots::Plot plot_;
+  ExitCode status_ = ExitCode::Fine;
+};
+
+ExitCode bad_usage(std::string_view message) {
+  print_message(message);
+  return ExitCode::BadUsage;
+}
+
+ExitCode plot(PlotOptions& options) {
+  if (const auto fault = usage_fault(options)) return bad_usage(*fault);
+  std::optional<Variation> variation;
+  if (!options.variation.empty()) {
+    Result<Variation> read = read_variation(options.variation);
+    if (!read) return bad_usage(read.error());
+    variation = *std::move(read);
+  }
+  PlotMaker maker(options, variation);
+  if (maker.count() > kMostSeries) {
+    return bad_usage(fmt::format("a plot takes up to {} series, got {}", kMostSeries, maker.count()));
+  }
+  for (const std::string& file : options.files) {
+    if (const auto failed = maker.add_file(file)) return *failed;
+  }
+  if (const auto failure = write_output(options.output, written(maker.plot(), format_of(options.output)))) {
+    return bad_usage(failure->message);
+  }
+  for (const std::string& note : plots::notes_of(maker.plot())) print_message(note);
+  return maker.status();
+}
+
+void add_request_options(CLI::App& arguments, plots::Request& request) {
+  std::map<std::string, plots::View> views;
+  std::string descriptions = "what to plot:";
+#define VIEW(name, word, description) \
+  views[word] = plots::View::name;    \
+  descriptions += "\n" word ": " description;
+#include "plots/views.def"
+#undef VIEW
+  arguments.add_option("--view", request.view, descriptions)
+      ->transform(CLI::CheckedTransformer(views).description(""))
+      ->type_name("VIEW")
+      ->required();
+  arguments.add_flag("--cosine", request.times_cosine,
+                     "times cos θ: of the viewer where the light stands still, else of the light");
+  arguments.add_option("--incidence", request.incidence, "degrees of the light from the normal")->capture_default_str();
+  arguments.add_option("--phi", request.phi, "degrees of the light (or half vector) around the normal, from X")
+      ->capture_default_str();
+  arguments.add_option("--theta-h", request.theta_h, "degrees of the half vector, for theta-d")->capture_default_str();
+  arguments.add_option("--theta-d", request.theta_d, "degrees of the difference, for theta-h")->capture_default_str();
+  arguments
+      .add_option("--phi-d", request.phi_d, "degrees of the light around the half vector, for theta-h, theta-d, slice")
+      ->capture_default_str();
+}
+
+void add_look_options(CLI::App& arguments, PlotOptions& options) {
+  plots::Look& look = options.look;
+  arguments.add_flag_callback(
+      "--log", [&look] { look.scale = plots::ScaleKind::Log; }, "values on a logarithmic scale");
+  const std::map<std::string, plots::Channels> channels{{"r", plots::Channels::Red},
+                                                        {"g", plots::Channels::Green},
+                                                        {"b", plots::Channels::Blue},
+                                                        {"all", plots::Channels::All},
+                                                        {"luminance", plots::Channels::Luminance}};
+  arguments
+      .add_option("--channel", look.channels,
+                  "of a colour: r, g, b, all or luminance (default: all; of a lobe luminance)")
+      ->transform(CLI::CheckedTransformer(channels).description(""))
+      ->type_name("CHANNEL");
+  arguments.add_option("--max", look.maximum, "where the axis of values ends");
+  arguments.add_option("--size", options.size, "pixels (720x480)")->type_name("WIDTHxHEIGHT");
+  arguments
+      .add_option("--azimuth", look.azimuth, "degrees between a lobe's eye and the mirrored light, around the normal")
+      ->capture_default_str();
+  arguments.add_option("--elevation", look.elevation, "degrees of a lobe's eye above the surface")
+      ->capture_default_str();
 }
 
 }  // namespace
 
 Subcommand add_plot(CLI::App& program) {
   const auto options = std::make_shared<PlotOptions>();
-  CLI::App* const arguments = program.add_subcommand("plot", "Draw curves of the BRDF");
+  CLI::App* const arguments = program.add_subcommand("plot", "Plot the BRDF: curves, lobes, albedo, slices");
   arguments->add_option("FILE", options->files, "LaTeX documents, - for standard input")->required();
-  add_root_option(*arguments, options->model.root);
-  arguments->add_option("--set", options->model.settings, "another value for a parameter: m=0.2, \\rho_d=0.1,0.2,0.3")
-      ->type_name("NAME=VALUE")
-      ->allow_extra_args(false);
-  std::map<std::string, plots::View> views;
-#define VIEW(name, word, description) views[word] = plots::View::name;
-#include "plots/views.def"
-#undef VIEW
+  add_model_choice(*arguments, options->model);
   arguments
-      ->add_option("--view", options->request.view,
-                   "what to plot: lobe, polar, theta-o, theta-h, theta-d, albedo, slice")
-      ->transform(CLI::CheckedTransformer(views).description(""))
-      ->type_name("VIEW")
-      ->required();
-  arguments->add_option("-o,--output", options->output, "the file to write, by its ending: .svg, .png, .csv")
+      ->add_option("--vary", options->variation,
+                   "several values for a parameter, held against each other: m=0.1,0.2,0.4")
+      ->type_name("NAME=A,B,C");
+  add_request_options(*arguments, options->request);
+  add_look_options(*arguments, *options);
+  arguments->add_option("-o,--output", options->output, "the file to write; its ending says what: .svg, .png, .csv")
       ->type_name("OUT")
       ->required();
-  const std::map<std::string, plots::Channels> channels{{"r", plots::Channels::Red},
-                                                        {"g", plots::Channels::Green},
-                                                        {"b", plots::Channels::Blue},
-                                                        {"all", plots::Channels::All},
-                                                        {"luminance", plots::Channels::Luminance}};
-  arguments->add_option("--channel", options->look.channels, "r, g, b, all, luminance")
-      ->transform(CLI::CheckedTransformer(channels).description(""))
-      ->type_name("CHANNEL");
-  arguments->add_flag("--log", options->is_log, "a logarithmic axis");
-  arguments->add_flag("--cosine", options->request.times_cosine, "times the cosine of the viewer, or of the light");
-  arguments->add_option("--incidence", options->request.incidence, "degrees of the light from the normal")
-      ->capture_default_str();
-  arguments->add_option("--phi", options->request.phi, "degrees of the light around the normal")->capture_default_str();
-  arguments->add_option("--theta-h", options->request.theta_h, "degrees of the half vector, for theta-d")
-      ->capture_default_str();
-  arguments->add_option("--theta-d", options->request.theta_d, "degrees of the difference, for theta-h")
-      ->capture_default_str();
-  arguments->add_option("--phi-d", options->request.phi_d, "degrees of the light around the half vector")
-      ->capture_default_str();
-  arguments->add_option("--max", options->look.maximum, "the end of the axis of values");
-  arguments->add_option("--width", options->look.width, "pixels")->capture_default_str();
-  arguments->add_option("--height", options->look.height, "pixels")->capture_default_str();
   return {arguments, [options] { return plot(*options); }};
 }
 

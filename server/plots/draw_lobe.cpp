@@ -15,7 +15,7 @@ namespace {
 
 using Vector = eval::Triple;
 
-constexpr double kAmbient = 0.35;
+constexpr double kAmbient = 0.4;
 constexpr double kDarkerEdges = 0.86;
 constexpr double kLabelRoom = 40;
 constexpr double kAxisLength = 1.08;  ///< of the largest radius
@@ -58,9 +58,8 @@ class Eye {
   double nearness(const Vector& v) const { return dot(v, towards_); }
   /// What of a face with this normal the eye's lamp lights, from either side.
   double light_on(const Vector& normal) const {
-    const Vector lamp = {towards_[0] * 0.8 + up_[0] * 0.5 - right_[0] * 0.33,
-                         towards_[1] * 0.8 + up_[1] * 0.5 - right_[1] * 0.33,
-                         towards_[2] * 0.8 + up_[2] * 0.5 - right_[2] * 0.33};
+    const auto part = [&](std::size_t i) { return towards_[i] + 0.3 * up_[i] - 0.3 * right_[i]; };
+    const Vector lamp = {part(0), part(1), part(2)};
     const double length = std::sqrt(dot(normal, normal) * dot(lamp, lamp));
     return length == 0 ? 1 : kAmbient + (1 - kAmbient) * std::abs(dot(normal, lamp)) / length;
   }
@@ -199,13 +198,6 @@ class LobeDrawing {
   void add_axes() {
     const Stroke axis{.colour = kInk};
     for (const Vector& end : axis_ends()) add_line({0, 0, 0}, end, axis);
-    for (const double tick : scale_.ticks) {
-      const double height = scale_.fraction_of(tick).value_or(0);
-      if (height <= 0) continue;
-      const double half = 0.012;
-      const Vector across = {-half * sine_of(azimuth()), half * cosine_of(azimuth()), 0};
-      add_line({-across[0], -across[1], height}, {across[0], across[1], height}, axis);
-    }
   }
 
   void add_light() {
@@ -226,13 +218,16 @@ class LobeDrawing {
     for (std::size_t i = 0; i < ends.size(); ++i) label_at(ends[i], plain(kNames[i]), kInk);
     label_at(scaled(direction(plot_.request.incidence, plot_.request.phi), kAxisLength), rich("ω_i"),
              {0x9a, 0x6a, 0x00});
-    double free_below = canvas_.height();
+    // Beside the light's plane, on the eye's side, where few lobes are.
+    const Vector along = direction(90, azimuth() - 60);
+    double free_from = 0;
     for (const double tick : scale_.ticks) {
-      const double height = scale_.fraction_of(tick).value_or(0);
-      const Point at = eye_.at({0, 0, height});
-      if (height <= 0 || at.y > free_below) continue;
-      canvas_.text({at.x - 9, at.y + 4}, Anchor::End, tick_text(scale_, tick), kSmallText);
-      free_below = at.y - kSmallText;
+      const double radius = scale_.fraction_of(tick).value_or(0);
+      const Point at = eye_.at(scaled(along, radius));
+      const double distance = std::hypot(at.x - eye_.at({}).x, at.y - eye_.at({}).y);
+      if (radius <= 0 || radius > 1.001 || distance < free_from) continue;
+      canvas_.text({at.x, at.y + 4}, Anchor::Middle, tick_text(scale_, tick), kSmallText);
+      free_from = distance + 2 * kSmallText;
     }
   }
 

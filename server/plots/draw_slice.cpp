@@ -16,6 +16,9 @@ constexpr Colour kBelowHorizon{0xe8, 0xe8, 0xe8};
 constexpr Colour kNoNumber{0xff, 0x00, 0xff};
 constexpr double kLeftRoom = 46;
 constexpr double kBottomRoom = 42;
+constexpr double kWhiteRoom = 20;  ///< for what white means
+/// Of the values, on the linear scale: a few near the horizon are often far above all others.
+constexpr double kShownPart = 0.98;
 constexpr double kBarRoom = 92;
 constexpr double kBarWidth = 14;
 constexpr double kPanelGap = 24;
@@ -47,7 +50,7 @@ class SliceDrawing {
   explicit SliceDrawing(const Plot& plot)
       : plot_(plot),
         canvas_(plot.look.width, plot.look.height, plot.title),
-        scale_(scale_for(plot.look.scale, shown_numbers(plot), plot.look.maximum)),
+        scale_(scale_for(plot.look.scale, shown_numbers(plot), maximum_of(plot))),
         components_(components_of_all(plot)) {
     if (scale_.kind == ScaleKind::Linear) scale_.low = 0;
   }
@@ -58,7 +61,8 @@ class SliceDrawing {
     const double count = static_cast<double>(plot_.series.size());
     const double width = (layout.plot.width() - bar_room) / count - kLeftRoom - kPanelGap / 2;
     const double top = layout.plot.top + kLineHeight + 4;
-    const double side = std::floor(std::max(20.0, std::min(width, layout.plot.bottom - kBottomRoom - top)));
+    const double below = components_.size() == 1 ? kBottomRoom : kBottomRoom + kWhiteRoom;
+    const double side = std::floor(std::max(20.0, std::min(width, layout.plot.bottom - below - top)));
     double left = std::round(layout.plot.left + kLeftRoom);
     for (const Series& series : plot_.series) {
       const Rectangle frame{left, std::round(top), left + side, std::round(top) + side};
@@ -71,6 +75,16 @@ class SliceDrawing {
   }
 
  private:
+  static std::optional<double> maximum_of(const Plot& plot) {
+    if (plot.look.maximum || plot.look.scale == ScaleKind::Log) return plot.look.maximum;
+    std::vector<double> numbers = shown_numbers(plot);
+    std::erase_if(numbers, [](double number) { return !std::isfinite(number); });
+    if (numbers.empty()) return std::nullopt;
+    const auto place = static_cast<std::ptrdiff_t>(kShownPart * static_cast<double>(numbers.size() - 1));
+    std::ranges::nth_element(numbers, numbers.begin() + place);
+    return numbers[static_cast<std::size_t>(place)];
+  }
+
   /// Those of a colour where there is one.
   static std::vector<Component> components_of_all(const Plot& plot) {
     std::vector<Component> most;
@@ -169,6 +183,7 @@ class SliceDrawing {
     const bool is_log = scale_.kind == ScaleKind::Log;
     const Runs white = tick_text(scale_, is_log ? std::pow(10, scale_.high) : scale_.high);
     runs.insert(runs.end(), white.begin(), white.end());
+    if (!is_log) runs.push_back({.text = " or more"});
     if (is_log) {
       const Runs black = tick_text(scale_, std::pow(10, scale_.low));
       runs.push_back({.text = ", black "});

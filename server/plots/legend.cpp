@@ -101,7 +101,8 @@ std::vector<Trace> traces_of(const Plot& plot) {
   std::vector<Trace> traces;
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const Series& series = plot.series[i];
-    const std::vector<Component> components = components_of(plot, series);
+    std::vector<Component> components = components_of(plot, series);
+    if (series.is_grey && components.size() > 1) components = {Component{}};
     const bool has_several = components.size() > 1;
     const Colour own = kPalette[i % kPalette.size()];
     for (const Component& component : components) {

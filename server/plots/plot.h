@@ -18,6 +18,7 @@ namespace texbrdf::plots {
 struct Series {
   std::string label;  ///< what tells it from the others; empty where it is alone
   bool is_colour = false;
+  bool is_grey = true;  ///< all channels of each value are the same
   std::variant<Curve, Grid> samples;
 };
 
@@ -25,10 +26,10 @@ struct Series {
 struct Look {
   ScaleKind scale = ScaleKind::Linear;
   std::optional<Channels> channels;  ///< nothing: what the view shows best
-  std::optional<double> maximum;     ///< of the axis of values; nothing: all of them fit
+  std::optional<double> maximum;     ///< of the axis of values; nothing: all of them fit, of a slice nearly all
   uint32_t width = 720;              ///< pixels, kLeastSize to kMostSize
   uint32_t height = 480;
-  double azimuth = 35;    ///< of the eye that sees a lobe, degrees from the light's plane
+  double azimuth = 65;    ///< of the eye that sees a lobe, degrees from where a mirror sends the light
   double elevation = 25;  ///< of the eye above the surface, 0 to 90
 };
 
