@@ -129,7 +129,12 @@ std::string read_params(json& params, PlotParams& out) {
   json* object = reader.object_of(params);
   out.preview = reader.integer(object, "preview");
   const std::string kind = reader.string(object, "kind");
-  if (kind != "polar" && kind != "cartesian") reader.fail("`kind` has to be polar or cartesian");
+  const std::optional<plots::View> view = kind == "cartesian" ? plots::View::ThetaO : plots::view_of(kind);
+  if (!view) reader.fail("`kind` has to be cartesian, " + plots::view_words());
+  out.view = view.value_or(out.view);
+  out.theta_h = number(reader, object, "thetaH");
+  out.theta_d = number(reader, object, "thetaD");
+  out.phi_d = number(reader, object, "phiD");
   return reader.problem();
 }
 

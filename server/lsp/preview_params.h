@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "plots/request.h"
 #include "render/sphere.h"
 
 namespace texbrdf::lsp {
@@ -64,9 +65,10 @@ struct ProbeParams {
   std::string definition;  ///< canonical; empty: the BRDF alone
 };
 
-/// Both kinds of plot have the same numbers.
 struct PlotParams {
   int64_t preview = 0;
+  plots::View view = plots::View::ThetaO;
+  std::optional<double> theta_h, theta_d, phi_d;  ///< degrees
 };
 
 std::string read_params(nlohmann::json& params, OpenPreviewParams& out);

@@ -5,7 +5,8 @@
 
 #include "features/places.h"
 #include "lsp/session.h"
-#include "preview/plot.h"
+#include "plots/preview_plot.h"
+#include "plots/samples.h"
 #include "preview/surface_probe.h"
 
 namespace texbrdf::lsp {
@@ -131,32 +132,67 @@ void write_probe(JsonWriter& out, const ExactValues& exact, const preview::Surfa
   out.end_object();
 }
 
-/// A list for each channel.
-void write_channels(JsonWriter& out, const preview::Plot& plot, uint32_t channels) {
-  out.key("values");
+/// A list for each channel; null where a direction is below the surface.
+void write_channels(JsonWriter& out, std::string_view key, std::span<const plots::Sample> values, uint32_t channels) {
+  out.key(key);
   out.begin_array();
-  for (uint32_t channel = 0; channel < channels && !plot.values.empty(); ++channel) {
+  for (uint32_t channel = 0; channel < channels && !values.empty(); ++channel) {
     out.begin_array();
-    for (const eval::Triple& value : plot.values) write_number(out, value[channel]);
+    for (const plots::Sample& value : values) {
+      if (value) write_number(out, (*value)[channel]);
+      if (!value) out.null();
+    }
     out.end_array();
   }
   out.end_array();
 }
 
-void write_plot(JsonWriter& out, const preview::Plot& plot, uint32_t channels, bool times_cosine) {
-  out.begin_object();
+void write_degrees(JsonWriter& out, std::string_view key, std::span<const double> angles) {
+  out.key(key);
+  out.begin_array();
+  for (const double angle : angles) out.value(angle);
+  out.end_array();
+}
+
+void write_light(JsonWriter& out, const plots::Request& request) {
   out.key("light");
   out.begin_object();
-  out.member("theta", shown_angle(plot.light_theta));
+  out.member("theta", shown_angle(request.incidence));
+  if (request.view == plots::View::Lobe) out.member("phi", shown_angle(request.phi));
   out.end_object();
-  out.key("angles");
-  out.begin_array();
-  for (const double angle : plot.angles) out.value(angle);
-  out.end_array();
-  write_channels(out, plot, channels);
-  out.member("cosine", times_cosine);
-  write_problem(out, plot.problem);
+}
+
+void write_curve(JsonWriter& out, const plots::Request& request, const plots::Curve& curve, uint32_t channels) {
+  out.begin_object();
+  write_light(out, request);
+  write_degrees(out, "angles", curve.angles);
+  write_channels(out, "values", curve.values, channels);
+  if (!curve.errors.empty()) {
+    const std::vector<plots::Sample> errors(curve.errors.begin(), curve.errors.end());
+    write_channels(out, "errors", errors, channels);
+  }
+  out.member("cosine", request.times_cosine);
+  write_problem(out, curve.problem);
   out.end_object();
+}
+
+void write_grid(JsonWriter& out, const plots::Request& request, const plots::Grid& grid, uint32_t channels) {
+  out.begin_object();
+  write_light(out, request);
+  write_degrees(out, "rows", grid.rows);
+  write_degrees(out, "columns", grid.columns);
+  write_channels(out, "values", grid.values, channels);
+  out.member("cosine", request.times_cosine);
+  write_problem(out, grid.problem);
+  out.end_object();
+}
+
+plots::Request request_of(const PlotParams& params, const render::SphereView& view) {
+  plots::Request request = plots::request_beside(view, params.view);
+  request.theta_h = params.theta_h.value_or(request.theta_h);
+  request.theta_d = params.theta_d.value_or(request.theta_d);
+  request.phi_d = params.phi_d.value_or(request.phi_d);
+  return request;
 }
 
 bool has_nothing(const ExactValues& exact) {
@@ -252,15 +288,30 @@ void Session::write_bad_value(JsonWriter& out, const OpenPreview& preview, const
 Session::Outcome Session::plot(const PlotParams& params, JsonWriter& result) {
   const OpenPreview* const preview = present_preview(params.preview);
   if (preview == nullptr) return ResponseError{ErrorCode::InvalidParams, unknown_preview(params.preview)};
+  if (const auto fault = plots::find_fault(plots::Request{.theta_h = params.theta_h.value_or(0),
+                                                          .theta_d = params.theta_d.value_or(0),
+                                                          .phi_d = params.phi_d.value_or(0)})) {
+    return ResponseError{ErrorCode::InvalidParams, *fault};
+  }
   const ExactValues& exact = preview->exact;
   if (has_nothing(exact)) {
     result.null();
     return std::nullopt;
   }
-  const preview::Plot plot =
-      exact.source ? preview::plot(*exact.source, preview->view) : preview::empty_plot(preview->view, exact.problem);
+  const plots::Request request = request_of(params, preview->view);
+  std::string problem = exact.source ? plots::problem_of(request).value_or("") : exact.problem;
   const uint32_t channels = exact.source ? type_components(exact.source->brdf().type) : 0;
-  write_plot(result, plot, channels, preview->view.times_cosine);
+  const bool has_values = problem.empty();
+  const plots::Effort effort = plots::quick_effort(params.view);
+  if (plots::has_grid(params.view)) {
+    plots::Grid none;
+    none.problem = std::move(problem);
+    write_grid(result, request, has_values ? plots::sample_grid(*exact.source, request, effort) : none, channels);
+  } else {
+    plots::Curve none;
+    none.problem = std::move(problem);
+    write_curve(result, request, has_values ? plots::sample_curve(*exact.source, request, effort) : none, channels);
+  }
   return std::nullopt;
 }
 

@@ -96,8 +96,8 @@ class LobeDrawing {
     for (const Trace& trace : traces) add_surface(trace, traces.size() > 1);
     add_axes();
     add_light();
+    draw_labels();  // the surface hides those that are behind it
     draw_pieces();
-    draw_labels();
     canvas_.text({(layout.plot.left + layout.plot.right) / 2, layout.plot.bottom}, Anchor::Middle,
                  rich("distance from the origin: " + value_label(plot_)));
     return canvas_.take();

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "plots/albedo.h"
 #include "plots/channels.h"
 #include "plots/draw_curves.h"
 #include "plots/draw_lobe.h"
@@ -92,16 +91,14 @@ Result<Series> sample(const preview::ExactModel& model, std::string label, const
   Series series;
   series.label = std::move(label);
   series.is_colour = model.brdf().type != Type::Real;
-  const bool is_grid = request.view == View::Lobe || request.view == View::Slice;
-  if (is_grid) {
-    Grid grid = request.view == View::Lobe ? sample_lobe(model, request, effort) : sample_slice(model, request, effort);
+  if (has_grid(request.view)) {
+    Grid grid = sample_grid(model, request, effort);
     if (!grid.problem.empty()) return Failure{grid.problem};
     series.samples = std::move(grid);
     series.is_grey = is_grey(series);
     return series;
   }
-  Curve curve =
-      request.view == View::Albedo ? sample_albedo(model, request, effort) : sample_curve(model, request, effort);
+  Curve curve = sample_curve(model, request, effort);
   if (!curve.problem.empty()) return Failure{curve.problem};
   series.samples = std::move(curve);
   series.is_grey = is_grey(series);

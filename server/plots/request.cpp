@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace texbrdf::plots {
 namespace {
@@ -26,6 +28,18 @@ bool is_between(double angle, double low, double high) {
 
 std::string_view word_of(View view) {
   return kWords[static_cast<std::size_t>(view)];
+}
+
+std::optional<View> view_of(std::string_view word) {
+  const auto found = std::ranges::find(kWords, word);
+  if (found == kWords.end()) return std::nullopt;
+  return static_cast<View>(found - kWords.begin());
+}
+
+std::string view_words() {
+  std::string words(kWords.front());
+  for (const std::string_view word : std::span(kWords).subspan(1)) words.append(", ").append(word);
+  return words;
 }
 
 std::optional<std::string> find_fault(const Request& request) {

@@ -14,6 +14,9 @@ enum class View : uint8_t {
 };
 
 std::string_view word_of(View view);
+std::optional<View> view_of(std::string_view word);
+/// With commas between.
+std::string view_words();
 
 enum class Channels : uint8_t { Red, Green, Blue, All, Luminance };
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "plots/albedo.h"
 #include "plots/directions.h"
 #include "plots/sampler.h"
 
@@ -196,37 +197,6 @@ Grid lobe_angles(const Request& request, double step) {
   return grid;
 }
 
-}  // namespace
-
-eval::Geometry geometry_in_plane(const Request& request, double theta_o) {
-  const eval::Triple view = direction(std::abs(theta_o), request.phi + (theta_o < 0 ? 0 : kTurn / 2));
-  return {.light = direction(request.incidence, request.phi), .view = view};
-}
-
-eval::Geometry geometry_of_viewer(const Request& request, double theta_o, double phi_o) {
-  return {.light = direction(request.incidence, request.phi), .view = direction(theta_o, phi_o)};
-}
-
-Curve sample_curve(const preview::ExactModel& model, const Request& request, const Effort& effort) {
-  Sampler sampler(model, effort.steps);
-  const auto [first, last] = range_of(request);
-  const uint64_t cost = sampler.cost_of(geometry_at(request, 0));
-  const double step =
-      affordable<double>(kCurveSteps, sampler, cost, [&](double width) { return (last - first) / width + 2; });
-  const ValueAt value_at = [&](double angle) {
-    const eval::Geometry geometry = geometry_at(request, angle);
-    return sampler.value(geometry, cosine_at(request, geometry));
-  };
-  Curve curve;
-  const bool has_mirror = is_in_plane(request) && effort.refinements > 0;
-  curve.angles = angles_between(first, last, step, has_mirror ? request.incidence : first);
-  for (const double angle : curve.angles) {
-    curve.values.push_back(value_at(angle));
-    if (sampler.is_exhausted()) return without_values(kTooSlow);
-  }
-  return Refinement(std::move(curve), value_at).refined(effort.refinements);
-}
-
 Grid sample_lobe(const preview::ExactModel& model, const Request& request, const Effort& effort) {
   Sampler sampler(model, effort.steps);
   const uint64_t cost = sampler.cost_of(geometry_in_plane(request, 0));
@@ -247,6 +217,46 @@ Grid sample_slice(const preview::ExactModel& model, const Request& request, cons
   grid.columns = grid.rows;
   return filled(std::move(grid), sampler, request,
                 [&](double theta_d, double theta_h) { return geometry_of(half_angles(request, theta_h, theta_d)); });
+}
+
+}  // namespace
+
+eval::Geometry geometry_in_plane(const Request& request, double theta_o) {
+  const eval::Triple view = direction(std::abs(theta_o), request.phi + (theta_o < 0 ? 0 : kTurn / 2));
+  return {.light = direction(request.incidence, request.phi), .view = view};
+}
+
+eval::Geometry geometry_of_viewer(const Request& request, double theta_o, double phi_o) {
+  return {.light = direction(request.incidence, request.phi), .view = direction(theta_o, phi_o)};
+}
+
+bool has_grid(View view) {
+  return view == View::Lobe || view == View::Slice;
+}
+
+Grid sample_grid(const preview::ExactModel& model, const Request& request, const Effort& effort) {
+  return request.view == View::Lobe ? sample_lobe(model, request, effort) : sample_slice(model, request, effort);
+}
+
+Curve sample_curve(const preview::ExactModel& model, const Request& request, const Effort& effort) {
+  if (request.view == View::Albedo) return sample_albedo(model, request, effort);
+  Sampler sampler(model, effort.steps);
+  const auto [first, last] = range_of(request);
+  const uint64_t cost = sampler.cost_of(geometry_at(request, 0));
+  const double step =
+      affordable<double>(kCurveSteps, sampler, cost, [&](double width) { return (last - first) / width + 2; });
+  const ValueAt value_at = [&](double angle) {
+    const eval::Geometry geometry = geometry_at(request, angle);
+    return sampler.value(geometry, cosine_at(request, geometry));
+  };
+  Curve curve;
+  const bool has_mirror = is_in_plane(request) && effort.refinements > 0;
+  curve.angles = angles_between(first, last, step, has_mirror ? request.incidence : first);
+  for (const double angle : curve.angles) {
+    curve.values.push_back(value_at(angle));
+    if (sampler.is_exhausted()) return without_values(kTooSlow);
+  }
+  return Refinement(std::move(curve), value_at).refined(effort.refinements);
 }
 
 }  // namespace texbrdf::plots

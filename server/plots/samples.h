@@ -40,12 +40,15 @@ struct Effort {
 
 inline constexpr std::string_view kTooSlow = "the BRDF is too slow to be plotted";
 
-/// Polar, theta-o: from -90 to 90, positive on the side away from the light. Theta-h, theta-d: from 0 to 90.
+/// Whether values of the view are over two angles.
+bool has_grid(View view);
+
+/// Polar, theta-o: from -90 to 90, positive on the side away from the light. Theta-h, theta-d: from 0 to 90. The
+/// albedo: albedo.h.
 Curve sample_curve(const preview::ExactModel& model, const Request& request, const Effort& effort);
-/// The viewer over the hemisphere, narrower near the mirrored light. The first and the last column are a turn apart.
-Grid sample_lobe(const preview::ExactModel& model, const Request& request, const Effort& effort);
-/// The middles of cells of equal width from 0 to 90.
-Grid sample_slice(const preview::ExactModel& model, const Request& request, const Effort& effort);
+/// A lobe: the viewer over the hemisphere, narrower near the mirrored light; the first and the last column are a turn
+/// apart. A slice: the middles of cells of equal width from 0 to 90.
+Grid sample_grid(const preview::ExactModel& model, const Request& request, const Effort& effort);
 
 /// What the view asks of the model at a viewer's angles, or at a half vector's and a difference angle.
 eval::Geometry geometry_in_plane(const Request& request, double theta_o);
