@@ -19,8 +19,8 @@ constexpr double kTurn = 360;
 constexpr double kRadians = std::numbers::pi / 180;
 constexpr std::size_t kMostCells = 20'000;
 
-/// Where the hemisphere is cut to begin with, in degrees beside the mirrored light and beside the light, so that lobes
-/// that are narrow are not between all points.
+/// Where the hemisphere is cut to begin with, in degrees beside the mirrored light, the light and the normal, so that
+/// lobes that are narrow are not between all points.
 constexpr std::array kCuts = {24.0, 6.0, 1.2};
 
 /// How the steps are spent: the degrees between the lights, and how many of kCuts are made.
@@ -51,7 +51,9 @@ void add_cuts(std::vector<double>& places, double around, std::size_t count, dou
 std::vector<double> theta_cuts(double incidence, std::size_t count) {
   std::vector<double> places = {0, kRightAngle};
   add_cuts(places, incidence, count, 0, kRightAngle);
+  add_cuts(places, 0, count, 0, kRightAngle);
   std::ranges::sort(places);
+  places.erase(std::ranges::unique(places).begin(), places.end());
   return places;
 }
 

@@ -117,6 +117,10 @@ def png_64(data):
     assert _png_size(data)[:2] == (64, 64)
 
 
+def png_300(data):
+    assert _png_size(data)[:2] == (300, 300)
+
+
 def png_shows_a_sphere(data):
     """Transparent in the corner, opaque in the middle, with more than a few colours."""
     width, height, colour_type = _png_size(data)

@@ -306,7 +306,13 @@ open b.tex
 -> texbrdf/probe {"preview": 7, "x": 0.5, "y": 0.5}
 <- {"id":36,"error":{"code":-32602,"message":"there is no preview 7"}}
 -> texbrdf/plot {"preview": 1, "kind": "round"}
-<- {"id":37,"error":{"code":-32602,"message":"`kind` has to be cartesian, lobe, polar, theta-o, theta-h, theta-d, albedo, slice"}}
+<- {
+     "id": 37,
+     "error": {
+       "code": -32602,
+       "message": "`kind` has to be cartesian, lobe, polar, theta-o, theta-h, theta-d, albedo, slice"
+     }
+   }
 -> texbrdf/closePreview {"preview": 1}
 -> texbrdf/probe {"preview": 1, "x": 0.5, "y": 0.5}
 <- {"id":38,"error":{"code":-32602,"message":"there is no preview 1"}}
