@@ -3,7 +3,7 @@ import type { WorkspaceEdit } from 'vscode-languageserver-protocol';
 import { Session } from '../src/preview/session';
 import { Api } from '../src/protocol';
 import type {
-  BadPixelsFound, Connection, Definition, FrameParams, Location, Notifications, Parameter, Plot, Probed, Requests,
+  BadPixelsFound, Connection, Definition, FrameParams, Location, Notifications, Parameter, Plot, Probed, Requests, Surface,
 } from '../src/protocol';
 import type { TextChange } from '../src/text_changes';
 import type { ToPage } from '../src/preview/messages';
@@ -27,10 +27,11 @@ export class Fake implements Connection {
   readonly posted: ToPage[] = [];
   readonly applied: TextChange[][] = [];
   readonly reports: string[] = [];
+  readonly tables: [string, string][] = [];
   readonly revealed: Location[] = [];
   parameters: Parameter[] = [];
   definitions: Definition[] = [];
-  plot: Plot | null = somePlot;
+  plot: Plot | Surface | null = somePlot;
   bad: BadPixelsFound | null = { nan: 0, infinite: 0, negative: 0, first: null };
   probed: () => Promise<Probed | null> = () => Promise.resolve(null);
   /** Answers of apply, true when they are used up. */
@@ -48,6 +49,7 @@ export class Fake implements Connection {
     },
     reveal: (place) => this.revealed.push(place),
     saveImage: () => undefined,
+    saveTable: (table, fileName) => this.tables.push([table, fileName]),
     roots: () => Promise.resolve({ root: 'f', candidates: ['f', 'g'] }),
     report: (problem) => this.reports.push(problem),
     standardLook: () => look,

@@ -1,8 +1,18 @@
 // What the preview's page and the extension tell each other.
-import type { BadPixels, Definition, Direction, FirstBadPixel, Light, Look, Parameter, Plot, Point, Probed, Value } from '../protocol';
+import type { BadPixels, Definition, Direction, FirstBadPixel, Light, Look, Parameter, Plot, PlotAngles, PlotKind, Point, Probed, Surface, Value } from '../protocol';
 import type { Memory } from './memory';
 
-export type { BadPixels, Definition, Direction, FirstBadPixel, Light, Look, Memory, Parameter, Plot, Point, Probed, Value };
+export type { BadPixels, Definition, Direction, FirstBadPixel, Light, Look, Memory, Parameter, Plot, PlotAngles, PlotKind, Point, Probed, Surface, Value };
+
+/** What the page asks for beside the curves in the plane of incidence. */
+export interface FurtherQuestion extends PlotAngles {
+  kind: PlotKind;
+}
+
+export interface FurtherPlot {
+  question: FurtherQuestion;
+  plot: Plot | Surface;
+}
 
 export interface Picture {
   version: number;
@@ -20,6 +30,7 @@ export interface Pin {
   png: string;
   /** Null where no plots were shown. */
   plot: Plot | null;
+  further?: FurtherPlot;
 }
 
 export type ToPage =
@@ -32,6 +43,7 @@ export type ToPage =
   | { type: 'definitions'; definitions: Definition[]; chosen: string | null }
   | { type: 'probed'; readout: Probed | null }
   | { type: 'plot'; plot: Plot }
+  | { type: 'furtherPlot'; further: FurtherPlot }
   | { type: 'badPixel'; pixel: FirstBadPixel }
   | { type: 'pinned'; pin: Pin | null }
   | { type: 'remember'; memory: Memory };
@@ -49,6 +61,8 @@ export type FromPage =
   | { type: 'probe'; point: Point | null }
   | { type: 'definition'; name: string | null }
   | { type: 'plots'; shown: boolean }
+  | { type: 'furtherPlot'; question: FurtherQuestion | null }
+  | { type: 'saveTable'; table: string; kind: string }
   | { type: 'showBad' }
   | { type: 'pin'; pin: Pin | null }
   | { type: 'saveImage' };

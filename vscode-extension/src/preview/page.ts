@@ -70,14 +70,16 @@ function previewPage(parts: PageParts, policy: string, scriptAttributes: string)
       </div>
     </main>
     <details id="plots" open>
-      <summary>Plots in the plane of incidence</summary>
+      <summary>Plots</summary>
       <div id="plotControls">
         <label>scale <select id="plotScale"><option>linear</option><option>log</option></select></label>
         <span id="channels" role="group" aria-label="Channels">
           <label class="check red"><input id="red" type="checkbox" checked> R</label>
           <label class="check green"><input id="green" type="checkbox" checked> G</label>
           <label class="check blue"><input id="blue" type="checkbox" checked> B</label>
+          <label class="check grey"><input id="grey" type="checkbox"> luminance</label>
         </span>
+        <button id="saveCurve" title="Save the numbers of these curves as CSV">Save CSV</button>
         <label>θₒ <input id="cursor" type="range" min="-90" max="90" step="0.5" value="0"></label>
       </div>
       <div id="figures">
@@ -86,6 +88,20 @@ function previewPage(parts: PageParts, policy: string, scriptAttributes: string)
       </div>
       <output id="cursorValue" aria-live="off" aria-label="Values at the cursor"></output>
       <output id="pinnedValue" aria-live="off" aria-label="Pinned values at the cursor" hidden></output>
+      <div id="furtherControls">
+        <label>also <select id="furtherKind">
+          <option value="">nothing</option><option value="lobe">the lobe</option><option value="theta-h">f over θ_h</option>
+          <option value="theta-d">f over θ_d</option><option value="albedo">the albedo</option><option value="slice">a slice θ_h × θ_d</option>
+        </select></label>
+        <label id="furtherFixedLabel" hidden><span id="furtherFixedName"></span> <input id="furtherFixed" type="number" min="0" max="90" step="5" value="0"></label>
+        <label id="furtherPhiLabel" hidden>φ_d <input id="furtherPhi" type="number" min="-180" max="180" step="15" value="90"></label>
+        <label id="furtherChannelLabel" hidden>of <select id="furtherChannel"><option>luminance</option><option>red</option><option>green</option><option>blue</option></select></label>
+        <button id="saveFurther" title="Save the numbers of this plot as CSV" hidden>Save CSV</button>
+      </div>
+      <svg id="furtherCurve" class="plot" role="img" hidden></svg>
+      <canvas id="furtherSurface" class="plot" role="img" tabindex="0" hidden></canvas>
+      <output id="furtherValue" aria-live="off" aria-label="Values of the further plot under the pointer" hidden></output>
+      <output id="furtherPinned" aria-live="off" aria-label="Pinned values of the further plot under the pointer" hidden></output>
     </details>
   </div>
   <output id="status" aria-live="off"></output>

@@ -73,7 +73,7 @@ export class PreviewPanel implements vscode.WebviewPanelSerializer, vscode.Dispo
       api: this.api,
       post: (message: ToPage) => void panel.webview.postMessage(message),
       roots: (uri) => rootsOf(this.server, this.api, uri),
-      apply, reveal, saveImage, report, standardLook,
+      apply, reveal, saveImage, saveTable, report, standardLook,
     }, look);
     panel.iconPath = vscode.Uri.joinPath(media, 'sphere.svg');
     panel.webview.onDidReceiveMessage((message: FromPage) => void session.pageSays(message));
@@ -143,18 +143,22 @@ function columnOf(uri: string): vscode.ViewColumn {
   return vscode.window.visibleTextEditors.find(({ document }) => document.uri.toString() === uri)?.viewColumn ?? vscode.ViewColumn.One;
 }
 
-async function save(png: string, name: string): Promise<void> {
+async function save(content: Buffer, proposal: string, filters: Record<string, string[]>): Promise<void> {
   const folder = vscode.workspace.workspaceFolders?.[0]?.uri;
-  const proposal = `${name.replace(/\.\w+$/, '')}.png`;
   const target = await vscode.window.showSaveDialog({
-    filters: { Pictures: ['png'] },
+    filters,
     ...(folder === undefined ? {} : { defaultUri: vscode.Uri.joinPath(folder, proposal) }),
   });
-  if (target !== undefined) await vscode.workspace.fs.writeFile(target, Buffer.from(png, 'base64'));
+  if (target !== undefined) await vscode.workspace.fs.writeFile(target, content);
 }
 
 function saveImage(png: string, name: string): void {
-  save(png, name).catch((error: unknown) => { report(wordsOf(error)); });
+  const proposal = `${name.replace(/\.\w+$/, '')}.png`;
+  save(Buffer.from(png, 'base64'), proposal, { Pictures: ['png'] }).catch((error: unknown) => { report(wordsOf(error)); });
+}
+
+function saveTable(table: string, fileName: string): void {
+  save(Buffer.from(table, 'utf8'), fileName, { Tables: ['csv'] }).catch((error: unknown) => { report(wordsOf(error)); });
 }
 
 function report(problem: string): void {

@@ -8,7 +8,7 @@ import { showBadPixel } from './bad_pixels';
 import type { FromPage, Pin, ToPage } from './messages';
 import { Parameters } from './parameters';
 import { Pictures } from './pictures';
-import { Plots } from './plots';
+import { FurtherPlots, Plots } from './plots';
 import { Readout } from './readout';
 import type { ShownPreview } from './shown_preview';
 
@@ -27,6 +27,7 @@ export interface Surroundings {
   apply: (changes: TextChange[]) => Promise<boolean>;
   reveal: (place: Location) => void;
   saveImage: (png: string, name: string) => void;
+  saveTable: (table: string, fileName: string) => void;
   roots: (uri: string) => Promise<Roots>;
   report: (problem: string) => void;
   standardLook: () => Look;
@@ -52,6 +53,7 @@ export class Session {
   private readonly parameters: Parameters;
   private readonly readout: Readout;
   private readonly plots: Plots;
+  private readonly furtherPlots: FurtherPlots;
   private readonly soon = new Debounce(documentAfter);
   private readonly later = new Debounce(rememberAfter);
 
@@ -62,6 +64,7 @@ export class Session {
     this.parameters = new Parameters(this.shown, { uri: () => this.uri, apply: around.apply, report: around.report });
     this.readout = new Readout(this.shown);
     this.plots = new Plots(this.shown);
+    this.furtherPlots = new FurtherPlots(this.shown);
   }
 
   get uri(): string | undefined {
@@ -113,6 +116,7 @@ export class Session {
     this.pictures.post();
     this.readout.refresh();
     this.plots.refresh();
+    this.furtherPlots.refresh();
   }
 
   /** After each change of what is drawn, wherever in the project it was made: numbers may be others too. */
@@ -127,6 +131,7 @@ export class Session {
     this.pageReady = false;
     this.readout.pointAt(undefined);
     this.plots.show(false);
+    this.furtherPlots.choose(undefined);
   }
 
   async pageSays(message: FromPage): Promise<void> {
@@ -143,6 +148,8 @@ export class Session {
       case 'probe': this.readout.pointAt(message.point ?? undefined); break;
       case 'definition': this.readout.choose(message.name ?? undefined); break;
       case 'plots': this.plots.show(message.shown); break;
+      case 'furtherPlot': this.furtherPlots.choose(message.question ?? undefined); break;
+      case 'saveTable': this.around.saveTable(message.table, `${(this.subject?.name ?? '').replace(/\.\w+$/, '')}-${message.kind}.csv`); break;
       case 'pin': this.pin(message.pin); break;
       case 'showBad': await showBadPixel(this.shown, this.around); break;
       case 'saveImage': if (this.pictures.png !== undefined) this.around.saveImage(this.pictures.png, this.subject?.name ?? ''); break;
@@ -189,6 +196,7 @@ export class Session {
     this.pictures.forget();
     this.readout.forget();
     this.plots.forget();
+    this.furtherPlots.forget();
   }
 
   private greetPage(): void {

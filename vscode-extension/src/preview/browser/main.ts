@@ -16,9 +16,17 @@ function report(problem: string): void {
 }
 
 function saveImage(png: string, name: string): void {
+  download(`data:image/png;base64,${png}`, `${name.replace(/\.\w+$/, '')}.png`);
+}
+
+function saveTable(table: string, fileName: string): void {
+  download(`data:text/csv;charset=utf-8,${encodeURIComponent(table)}`, fileName);
+}
+
+function download(address: string, fileName: string): void {
   const anchor = document.createElement('a');
-  anchor.href = `data:image/png;base64,${png}`;
-  anchor.download = `${name.replace(/\.\w+$/, '')}.png`;
+  anchor.href = address;
+  anchor.download = fileName;
   anchor.click();
 }
 
@@ -34,7 +42,7 @@ const session = new Session({
   apply: (changes) => editor.apply(changes),
   reveal: (place) => { link.request('texbrdf/reveal', place).catch((error: unknown) => { report(String(error)); }); },
   roots: (uri) => api.roots(uri).catch(() => none),
-  saveImage, report,
+  saveImage, saveTable, report,
   standardLook: () => defaultLook,
 });
 const follower = new Follower(session, api.roots);

@@ -3,6 +3,7 @@ import type { ToPage } from '../messages';
 import { markBadPixel, watchBadPixels } from './bad_pixels';
 import { element, keep, oncePerFrame, tell } from './host';
 import { showLook, watchLook } from './look';
+import { forgetFurther, showFurther, watchFurther } from './further_plot';
 import { forgetPicture, pictureBlob, showPicture, showState, showVersion } from './picture';
 import { showPin, watchPin } from './pin';
 import { forgetPlot, nameRoot, showPlot, watchPlots } from './plots';
@@ -17,6 +18,7 @@ function showDocument({ uri, name, version, roots, root }: ToPage & { type: 'doc
     forgetPicture();
     clearReadout();
     forgetPlot();
+    forgetFurther();
   }
   shownUri = uri;
   element('name').textContent = name;
@@ -38,6 +40,7 @@ function receive(message: ToPage): void {
     case 'definitions': showDefinitions(message.definitions, message.chosen); break;
     case 'probed': showReadout(message.readout); break;
     case 'plot': showPlot(message.plot); break;
+    case 'furtherPlot': showFurther(message.further); break;
     case 'badPixel': markBadPixel(message.pixel); break;
     case 'pinned': showPin(message.pin); break;
     case 'remember': keep({ session: message.memory }); break;
@@ -71,6 +74,7 @@ watchSliders();
 watchPin();
 watchReadout();
 watchPlots();
+watchFurther();
 watchBadPixels();
 watchSize();
 tell({ type: 'ready' });

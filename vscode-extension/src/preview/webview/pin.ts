@@ -2,6 +2,7 @@
 import type { Pin } from '../messages';
 import { element, keep, kept, tell } from './host';
 import { shownPicture } from './picture';
+import { showPinnedFurther, shownFurther } from './further_plot';
 import { shownPlot, showPinnedPlot } from './plots';
 
 const stage = element('stage');
@@ -26,12 +27,15 @@ export function showPin(pin: Pin | null): void {
   if (pin === null) pinned.removeAttribute('src');
   else pinned.src = `data:image/png;base64,${pin.png}`;
   showPinnedPlot(pin?.plot ?? undefined);
+  showPinnedFurther(pin?.further);
   refresh();
 }
 
 function shownState(): Pin | null {
   const picture = shownPicture();
-  return picture === undefined ? null : { png: picture.png, plot: shownPlot() ?? null };
+  if (picture === undefined) return null;
+  const further = shownFurther();
+  return { png: picture.png, plot: shownPlot() ?? null, ...further === undefined ? {} : { further } };
 }
 
 function recall(): void {

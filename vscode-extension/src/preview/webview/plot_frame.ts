@@ -27,13 +27,27 @@ export interface PolarFrame extends PlotFrame {
 
 const degree = Math.PI / 180;
 
-export function cartesianFrame({ width, height }: PlotSize): CartesianFrame {
+/** The angles of an axis, and what they are. */
+export interface AngleAxis {
+  low: number;
+  high: number;
+  ticks: readonly number[];
+  label: string;
+}
+
+export const viewerAxis: AngleAxis = { low: -90, high: 90, ticks: [-90, -60, -30, 0, 30, 60, 90], label: 'θₒ' };
+
+export function quarterAxis(label: string): AngleAxis {
+  return { low: 0, high: 90, ticks: [0, 15, 30, 45, 60, 75, 90], label };
+}
+
+export function cartesianFrame({ width, height }: PlotSize, { low, high }: AngleAxis = viewerAxis): CartesianFrame {
   const [left, top] = [40, 20];
   const [right, bottom] = [Math.max(width - 10, left + 10), Math.max(height - 30, top + 10)];
   return {
     left, right, top, bottom,
-    at: (angle, fraction) => ({ x: left + (angle + 90) / 180 * (right - left), y: bottom - fraction * (bottom - top) }),
-    angleAt: ({ x }) => clamped((x - left) / (right - left) * 180 - 90, -90, 90),
+    at: (angle, fraction) => ({ x: left + (angle - low) / (high - low) * (right - left), y: bottom - fraction * (bottom - top) }),
+    angleAt: ({ x }) => clamped((x - left) / (right - left) * (high - low) + low, low, high),
   };
 }
 

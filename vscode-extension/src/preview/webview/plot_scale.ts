@@ -17,7 +17,7 @@ const mostDecades = 8;
 const largest = 1e300;
 const smallest = 1e-300;
 
-export function scaleFor(kind: ScaleKind, values: readonly Value[]): Scale {
+export function scaleFor(kind: ScaleKind, values: readonly (Value | null)[]): Scale {
   const numbers = values.filter((value) => typeof value === 'number');
   return kind === 'linear' ? linearScale(numbers) : logScale(numbers);
 }

@@ -1,7 +1,7 @@
 // What a plot is drawn of: grid, labels, light, curves, cursor.
 import type { Plot, Point, Value } from '../messages';
-import { cartesianFrame, polarFrame } from './plot_frame';
-import type { PlotFrame, PlotSize } from './plot_frame';
+import { cartesianFrame, polarFrame, viewerAxis } from './plot_frame';
+import type { AngleAxis, PlotFrame, PlotSize } from './plot_frame';
 import { fractionOf, tickText, withoutNegative } from './plot_scale';
 import type { Scale } from './plot_scale';
 
@@ -10,14 +10,15 @@ export type Channel = 'red' | 'green' | 'blue' | 'grey';
 export interface Curve {
   channel: Channel;
   isPinned: boolean;
-  values: readonly Value[];
+  values: readonly (Value | null)[];
+  errors?: readonly (Value | null)[];
 }
 
 export interface Drawing {
   curves: readonly Curve[];
   angles: readonly number[];
-  /** The light's angle from the normal. */
-  light: number;
+  /** The light's angle from the normal; it is not shown where the plot is over another angle. */
+  light?: number;
   cursor: number;
   scale: Scale;
   /** What the values are. */
@@ -32,27 +33,41 @@ export interface Shape {
 }
 
 const letterWidth = 6; // of labels, at most
-const shownAngles = [-90, -60, -30, 0, 30, 60, 90];
 
-export function curvesOf({ values }: Plot, isPinned: boolean, isShown: (channel: Channel) => boolean): Curve[] {
+export function curvesOf(plot: Plot, isPinned: boolean, isShown: (channel: Channel) => boolean, hasLuminance = false): Curve[] {
+  const { values, errors } = plot;
   const channels: Channel[] = values.length === 1 ? ['grey'] : ['red', 'green', 'blue'];
-  return channels.flatMap((channel, index) => isShown(channel) ? [{ channel, isPinned, values: values[index] ?? [] }] : []);
+  const curves = channels.flatMap((channel, index): Curve[] => {
+    const bounds = errors?.[index];
+    return isShown(channel) ? [{ channel, isPinned, values: values[index] ?? [], ...bounds === undefined ? {} : { errors: bounds } }] : [];
+  });
+  return hasLuminance && values.length === 3 ? [...curves, { channel: 'grey', isPinned, values: luminances(values) }] : curves;
 }
 
-export function cartesianShapes(drawing: Drawing, size: PlotSize): Shape[] {
-  const frame = cartesianFrame(size);
+/** Of linear sRGB (ITU-R BT.709). */
+export function luminances(values: readonly (readonly (Value | null)[])[]): (Value | null)[] {
+  const [red = [], green = [], blue = []] = values;
+  return red.map((r, index) => {
+    const [g, b] = [green[index] ?? null, blue[index] ?? null];
+    if (r === null || g === null || b === null) return null;
+    return typeof r === 'number' && typeof g === 'number' && typeof b === 'number' ? 0.2126 * r + 0.7152 * g + 0.0722 * b : 'nan';
+  });
+}
+
+export function cartesianShapes(drawing: Drawing, size: PlotSize, axis: AngleAxis = viewerAxis): Shape[] {
+  const frame = cartesianFrame(size, axis);
   const { left, right, top, bottom } = frame;
   const grid = drawing.scale.ticks.flatMap((tick) => {
-    const { y } = frame.at(0, fractionOf(drawing.scale, tick) ?? 0);
+    const { y } = frame.at(axis.low, fractionOf(drawing.scale, tick) ?? 0);
     return [path('grid', `M${left} ${y}H${right}`), label(left - 4, y + 3, 'end', tickText(drawing.scale, tick))];
   });
-  const angles = shownAngles.flatMap((angle) => {
+  const angles = axis.ticks.flatMap((angle) => {
     const { x } = frame.at(angle, 0);
     return [path('axis', `M${x} ${bottom}v4`), label(x, bottom + 14, 'middle', angleText(angle))];
   });
   return [
     ...grid, ...angles, path('axis', `M${left} ${top}V${bottom}H${right}`),
-    label((left + right) / 2, bottom + 26, 'middle', 'θₒ'), label(left, top - 8, 'start', drawing.label),
+    label((left + right) / 2, bottom + 26, 'middle', axis.label), label(left, top - 8, 'start', drawing.label),
     ...content(drawing, frame),
   ];
 }
@@ -65,7 +80,7 @@ export function polarShapes(given: Drawing, size: PlotSize): Shape[] {
     path('grid', `M${centre.x - r} ${centre.y}A${r} ${r} 0 0 1 ${centre.x + r} ${centre.y}`),
     ...text === undefined ? [] : [label(centre.x + r, centre.y + 13, 'middle', text)],
   ]);
-  const spokes = shownAngles.flatMap((angle) => {
+  const spokes = viewerAxis.ticks.flatMap((angle) => {
     const [end, beyond] = [frame.at(angle, 1), frame.at(angle, 1 + 10 / radius)];
     const anchor = angle === 0 ? 'middle' : angle < 0 ? 'end' : 'start';
     return [path('grid', `M${centre.x} ${centre.y}L${end.x} ${end.y}`), label(beyond.x, beyond.y + 3, anchor, angleText(angle))];
@@ -107,7 +122,7 @@ export function sampleAt(angles: readonly number[], angle: number): number {
 
 function content(drawing: Drawing, frame: PlotFrame): Shape[] {
   const { angles, curves, scale } = drawing;
-  const place = (values: readonly Value[], index: number) => {
+  const place = (values: readonly (Value | null)[], index: number) => {
     const fraction = fractionOf(scale, values[index] ?? 'nan');
     return fraction === undefined ? undefined : frame.at(angles[index] ?? 0, fraction);
   };
@@ -118,7 +133,20 @@ function content(drawing: Drawing, frame: PlotFrame): Shape[] {
     const at = place(values, cursor);
     return at === undefined ? [] : [circle(`dot ${channel}`, at, 2.5)];
   });
-  return [...lightShapes(drawing.light, frame), ...lines, missing(drawing, frame), ray('cursor', drawing.cursor, frame), ...dots];
+  const bands = curves.map((curve) => band(curve, drawing, frame));
+  return [...lightShapes(drawing.light, frame), ...bands.flat(), ...lines, missing(drawing, frame), ray('cursor', drawing.cursor, frame), ...dots];
+}
+
+/** Between what each value may be at least and at most. */
+function band({ channel, values, errors }: Curve, { angles, scale }: Drawing, frame: PlotFrame): Shape[] {
+  if (errors === undefined) return [];
+  const edge = (sign: number) => angles.flatMap((angle, index) => {
+    const [value, error] = [values[index], errors[index]];
+    if (typeof value !== 'number' || typeof error !== 'number') return [];
+    return [frame.at(angle, fractionOf(scale, value + sign * error) ?? 0)];
+  });
+  const outline = [...edge(1), ...edge(-1).reverse()];
+  return outline.length === 0 ? [] : [path(`band ${channel}`, `${pathThrough(outline)}Z`)];
 }
 
 /** At the far edge, over the angles where a value is no number. */
@@ -129,8 +157,8 @@ function missing({ angles, curves }: Drawing, frame: PlotFrame): Shape {
 }
 
 /** The light comes from the negative side; from below the surface there is none. */
-function lightShapes(theta: number, frame: PlotFrame): Shape[] {
-  return theta > 90 ? [] : [ray('light', -theta, frame), { ...circle('lamp', frame.at(-theta, 1), 4), text: 'light' }];
+function lightShapes(theta: number | undefined, frame: PlotFrame): Shape[] {
+  return theta === undefined || theta > 90 ? [] : [ray('light', -theta, frame), { ...circle('lamp', frame.at(-theta, 1), 4), text: 'light' }];
 }
 
 function ray(className: string, angle: number, frame: PlotFrame): Shape {

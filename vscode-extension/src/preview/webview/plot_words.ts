@@ -12,6 +12,7 @@ export function quantity(root: string, { cosine }: Plot): string {
 /** "R 0.12 · G 0.3 · B ∞" */
 export function valuesAt({ angles, values }: Plot, angle: number): string {
   const index = sampleAt(angles, angle);
+  if (values.some((list) => list[index] === null)) return 'below the surface';
   const texts = values.map((list) => valueText(list[index] ?? 'nan'));
   return texts.length === 1 ? texts.join('') : texts.map((text, channel) => `${channelNames[channel]} ${text}`).join(' · ');
 }

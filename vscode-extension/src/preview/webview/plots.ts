@@ -6,9 +6,10 @@ import type { PlotFrame, PlotSize } from './plot_frame';
 import { scaleFor } from './plot_scale';
 import type { ScaleKind } from './plot_scale';
 import { cartesianShapes, curvesOf, polarShapes } from './plot_shapes';
-import type { Channel, Drawing, Shape } from './plot_shapes';
+import type { Channel, Curve, Drawing, Shape } from './plot_shapes';
 import { plotDescription, quantity, valuesAt } from './plot_words';
 import { drawShapes } from './svg';
+import { curveTable } from './plot_table';
 
 interface Figure {
   svg: SVGElement;
@@ -25,7 +26,7 @@ const figures: Figure[] = [
 const section = element<HTMLDetailsElement>('plots');
 const scale = element<HTMLSelectElement>('plotScale');
 const cursor = element<HTMLInputElement>('cursor');
-const channels: Channel[] = ['red', 'green', 'blue'];
+const channels: Channel[] = ['red', 'green', 'blue', 'grey'];
 
 let current: Plot | undefined;
 let pinned: Plot | undefined;
@@ -48,6 +49,9 @@ export function watchPlots(): void {
     draw(undefined);
   });
   for (const channel of channels) element(channel).addEventListener('change', () => { draw(undefined); });
+  element('saveCurve').addEventListener('click', () => {
+    if (current !== undefined) tell({ type: 'saveTable', table: curveTable(current, 'theta_o'), kind: 'theta-o' });
+  });
   cursor.addEventListener('input', () => { draw(undefined); });
   const resized = new ResizeObserver(() => { draw(undefined); });
   for (const figure of figures) {
@@ -109,12 +113,26 @@ function drawFigure({ svg, kind, shapes }: Figure): void {
 }
 
 function drawingOf(plot: Plot): Drawing {
-  const isShown = (channel: Channel) => channel === 'grey' || element<HTMLInputElement>(channel).checked;
-  const curves = [...pinned === undefined ? [] : curvesOf(pinned, true, isShown), ...curvesOf(plot, false, isShown)];
+  const curves = [...pinned === undefined ? [] : chosenCurves(pinned, true), ...chosenCurves(plot, false)];
   return {
     curves, angles: plot.angles, light: plot.light.theta, cursor: cursor.valueAsNumber,
     scale: scaleFor(scale.value as ScaleKind, curves.flatMap(({ values }) => values)), label: quantity(root, plot),
   };
+}
+
+/** Those that the boxes of the channels say; of a real one there is nothing to choose. */
+export function chosenCurves(plot: Plot, isPinned: boolean): Curve[] {
+  const isChecked = (channel: Channel) => element<HTMLInputElement>(channel).checked;
+  return curvesOf(plot, isPinned, (channel) => channel === 'grey' || isChecked(channel), isChecked('grey'));
+}
+
+export function chosenScale(): ScaleKind {
+  return scale.value as ScaleKind;
+}
+
+/** Calls the action when other channels or another scale are chosen. */
+export function onChoice(action: () => void): void {
+  for (const control of [scale, ...channels.map((channel) => element(channel))]) control.addEventListener('change', action);
 }
 
 function showValues(id: string, plot: Plot | undefined, prefix: string): void {
