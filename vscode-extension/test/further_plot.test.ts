@@ -26,11 +26,11 @@ test('a lobe has a face between each four samples that are numbers', () => {
 });
 
 test('from above a lobe of one length is a disk of that radius', () => {
-  const { at } = projection({ azimuth: 0, elevation: 90 }, 0, size);
-  const centre = at([0, 0, 1], 1);
+  const view = projection({ azimuth: 0, elevation: 90 }, 0, size);
+  const centre = view.at([0, 0, 1], 1);
   for (const phi of columns) {
-    const { x, y } = at(direction(90, phi), 1);
-    assert.ok(Math.abs(Math.hypot(x - centre.x, y - centre.y) - Math.hypot(at(direction(90, 45), 1).x - centre.x, at(direction(90, 45), 1).y - centre.y)) < 1e-9);
+    const { x, y } = view.at(direction(90, phi), 1);
+    assert.ok(Math.abs(Math.hypot(x - centre.x, y - centre.y) - Math.hypot(view.at(direction(90, 45), 1).x - centre.x, view.at(direction(90, 45), 1).y - centre.y)) < 1e-9);
   }
 });
 

@@ -1,7 +1,7 @@
 // session.mjs PROGRAM OUT: the preview in a browser, as somebody uses it with an editor that has no webviews. Screenshots are left in OUT.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { existsSync, mkdirSync, rmSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, rmSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import path from 'node:path';
 import { Editor } from './editor.mjs';
@@ -76,6 +76,19 @@ async function picture(page, options = []) {
 const shot = (page, name) => page.screenshot({ path: path.join(out, `${name}.png`) });
 const slider = (page) => page.locator('.row', { hasText: 'p' }).locator('input[type=range]');
 
+/** Moves the pointer over the further plot until what is told of it is as it should be. */
+async function pointUntil(page, output, text) {
+  const box = await page.locator('#furtherSurface').boundingBox();
+  for (let y = 0.3; y < 0.9; y += 0.05) {
+    for (let x = 0.2; x < 0.8; x += 0.05) {
+      await page.mouse.move(box.x + x * box.width, box.y + y * box.height);
+      await page.waitForTimeout(30);
+      if (text.test(await page.locator(output).textContent())) return;
+    }
+  }
+  assert.fail(`${output} is never ${text}`);
+}
+
 const steps = {
   'before a document is open the page asks for one': async (page) => {
     await page.locator('#notice', { hasText: 'Open a LaTeX document' }).waitFor();
@@ -130,6 +143,58 @@ const steps = {
     editor.replaceAll(before);
     await page.locator('#stage[data-state="good"]').waitFor();
     await picture(page);
+  },
+  'curves beside the plane of incidence follow their angles, and tell values under the pointer': async (page) => {
+    for (const [kind, angle] of [['theta-h', 'θ_h'], ['theta-d', 'θ_d'], ['albedo', 'θᵢ']]) {
+      await page.locator('#furtherKind').selectOption(kind);
+      const curves = page.locator('#furtherCurve .curve');
+      await untilTrue(`no curves over ${angle}`, async () => await curves.count() === 3);
+      await page.locator('#furtherCurve text', { hasText: angle }).first().waitFor();
+      await page.locator('#furtherCurve').hover();
+      await page.locator('#furtherValue', { hasText: /^4\d\.\d°: R [\d.]+ · G [\d.]+ · B [\d.]+/ }).waitFor();
+      await shot(page, `plot-${kind}`);
+    }
+    await page.locator('#furtherValue', { hasText: ' ± ' }).waitFor();
+    await page.locator('#furtherKind').selectOption('theta-h');
+    await page.locator('#furtherCurve text', { hasText: 'θ_h' }).first().waitFor();
+    const before = await page.locator('#furtherCurve .curve').first().getAttribute('d');
+    await page.locator('#furtherPhi').fill('0');
+    await page.locator('#furtherFixed').fill('60');
+    await page.locator('#furtherFixed').blur();
+    await untilTrue('the curve stays', async () => await page.locator('#furtherCurve .curve').first().getAttribute('d') !== before);
+  },
+  'a lobe turns with the pointer, a slice tells its cells': async (page) => {
+    const drawn = () => page.locator('#furtherSurface').evaluate((canvas) => canvas.toDataURL());
+    await page.locator('#furtherKind').selectOption('lobe');
+    await page.locator('#furtherSurface').scrollIntoViewIfNeeded();
+    await untilTrue('no lobe', async () => (await drawn()).length > 5000);
+    await pointUntil(page, '#furtherValue', /^θₒ [\d.]+°, φₒ -?[\d.]+°: R [\d.]+ · G [\d.]+ · B [\d.]+$/);
+    await shot(page, 'plot-lobe');
+    const before = await drawn();
+    const box = await page.locator('#furtherSurface').boundingBox();
+    await page.mouse.down();
+    await page.mouse.move(box.x + box.width / 2 + 80, box.y + box.height / 2 + 20, { steps: 4 });
+    await page.mouse.up();
+    await untilTrue('the lobe did not turn', async () => await drawn() !== before);
+    await page.locator('#pin').click();
+    await page.locator('#plotScale').selectOption('log');
+    await pointUntil(page, '#furtherPinned', /^pinned: θₒ/);
+    await shot(page, 'plot-lobe-pinned');
+    await page.locator('#pin').click();
+    await page.locator('#furtherKind').selectOption('slice');
+    await page.locator('#furtherSurface').hover();
+    await page.locator('#furtherValue', { hasText: /^θ_d [\d.]+°, θ_h [\d.]+°: / }).waitFor();
+    await shot(page, 'plot-slice');
+    await page.locator('#plotScale').selectOption('linear');
+  },
+  'the numbers of plots can be saved': async (page) => {
+    for (const [button, name, head] of [['#saveCurve', 'paper-theta-o.csv', 'theta_o,red,green,blue'], ['#saveFurther', 'paper-slice.csv', 'theta_d,theta_h,red,green,blue']]) {
+      const download = page.waitForEvent('download');
+      await page.locator(button).click();
+      assert.equal((await download).suggestedFilename(), name);
+      assert.equal(readFileSync(await (await download).path(), 'utf8').split('\n')[0], head);
+    }
+    await page.locator('#furtherKind').selectOption('');
   },
   'the picture can be saved': async (page) => {
     const download = page.waitForEvent('download');

@@ -91,8 +91,10 @@ function drawGround(context: CanvasRenderingContext2D, view: Projection, scale: 
   for (const radius of [1, ...scale.ticks.map((tick) => fractionOf(scale, tick) ?? 0)]) {
     if (radius <= 0) continue;
     outline(context, Array.from({ length: 91 }, (_, i) => view.at(direction(90, 4 * i), radius)));
+    context.globalAlpha = radius === 1 ? 0.7 : 0.35;
     context.strokeStyle = colours.grid;
     context.stroke();
+    context.globalAlpha = 1;
   }
   const along = direction(90, 45);
   for (const tick of scale.ticks) {
