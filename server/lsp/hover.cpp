@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "features/value_text.h"
-#include "render/base64.h"
 #include "lsp/session.h"
+#include "render/base64.h"
 
 namespace texbrdf::lsp {
 namespace {

@@ -3,8 +3,8 @@
 #include <variant>
 
 #include "features/model_parameters.h"
-#include "render/base64.h"
 #include "lsp/session.h"
+#include "render/base64.h"
 
 namespace texbrdf::lsp {
 namespace {
