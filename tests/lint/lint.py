@@ -10,7 +10,7 @@ TARGET = re.compile(r"texbrdf_(\w+)")
 
 def read_layers():
     """Who may include whom, from the dependencies in the CMake files: {"eval": {"ir", "semantics", ...}, ...}."""
-    layers = {"compiler": {"eval", "emit", "analysis"}}
+    layers = {"compiler": {"eval", "emit", "analysis", "scene"}}
     for path in ("compiler/CMakeLists.txt", "server/CMakeLists.txt"):
         with open(path, encoding="utf-8") as file:
             for folder, dependencies in LIBRARY.findall(file.read()):
