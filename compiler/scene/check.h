@@ -23,7 +23,7 @@ enum class Part : uint8_t {
   Material,
   MaterialValue,  ///< `index` is the material, `item` the property
   Camera,
-  Light,
+  LightSource,
   Environment,
   Settings,
 };
