@@ -7,25 +7,13 @@
 
 #include "cli/files.h"
 #include "cli/messages.h"
-#include "lsp/follow_includes.h"
+#include "files/follow_includes.h"
 #include "semantics/names.h"
 #include "syntax/block_scanner.h"
 #include "syntax/parsed_block.h"
 
 namespace texbrdf::cli {
 namespace {
-
-/// The command line reads whatever a document includes.
-class DiskFiles final : public lsp::FileSource {
- public:
-  bool may_read(std::string_view) const override { return true; }
-  bool exists(const std::string& path) const override { return lsp::stamp_of(path).exists; }
-  std::optional<SourceText> text(const std::string& path) override {
-    const std::optional<std::string> bytes = lsp::read_file(path);
-    if (!bytes) return std::nullopt;
-    return SourceText(*bytes);
-  }
-};
 
 Result<ParameterValues> read_settings(const std::vector<std::string>& settings) {
   ParameterValues values;
@@ -69,13 +57,13 @@ std::variant<NamedDocument, ExitCode> read_document(const std::string& path) {
   }
   NamedDocument named{{}, {}, Document(*bytes, language_of_path(path))};
   const bool is_standard_input = path == "-";
-  const std::string folder = lsp::real_path(".");
-  named.paths = {is_standard_input ? folder + "/-" : lsp::real_path(path)};
-  DiskFiles disk;
-  lsp::follow_includes(named.document, named.paths, disk);
+  const std::string folder = files::real_path(".");
+  named.paths = {is_standard_input ? folder + "/-" : files::real_path(path)};
+  files::DiskFiles disk;
+  files::follow_includes(named.document, named.paths, disk);
   named.file_names = {input_name(path)};
   for (const std::string& included : std::span(named.paths).subspan(1)) {
-    const bool is_here = lsp::is_below(included, folder) && !path.starts_with('/');
+    const bool is_here = files::is_below(included, folder) && !path.starts_with('/');
     named.file_names.push_back(is_here ? included.substr(folder.size() + 1) : included);
   }
   return named;

@@ -23,7 +23,7 @@ TextLanguage language_of(std::string_view id, std::string_view path) {
 OpenDocument& Documents::open(std::string uri, std::string_view text, int64_t version, std::string_view language_id) {
   close(uri);
   const bool is_file = uri.starts_with("file:");
-  std::string path = is_file ? real_path(shown_path(uri)) : uri;
+  std::string path = is_file ? files::real_path(shown_path(uri)) : uri;
   const TextLanguage language = language_of(language_id, path);
   Buffer& buffer = projects_.open(std::move(path), SourceText(text), language);
   OpenDocument document{uri, ProjectDocument(projects_, buffer), version};

@@ -5,7 +5,7 @@
 #include <system_error>
 #include <utility>
 
-#include "lsp/follow_includes.h"
+#include "files/follow_includes.h"
 #include "source/internal_error.h"
 #include "source/text_change.h"
 #include "syntax/block_scanner.h"
@@ -24,8 +24,8 @@ constexpr std::size_t kHeadBytes = 4096;
 std::optional<std::string> named_root(std::string_view path, std::string_view head) {
   const std::optional<std::string> root = read_root(head);
   if (!root) return std::nullopt;
-  const std::string named = root->starts_with('/') ? *root : folder_of(path) + "/" + *root;
-  return real_path(named.ends_with(".tex") ? named : named + ".tex");
+  const std::string named = root->starts_with('/') ? *root : files::folder_of(path) + "/" + *root;
+  return files::real_path(named.ends_with(".tex") ? named : named + ".tex");
 }
 
 std::string head_of(const SourceText& text) {
@@ -58,7 +58,7 @@ std::optional<FileId> Project::find(std::string_view path) const {
 
 void Projects::set_folders(std::span<const std::string> paths) {
   folders_.clear();
-  for (const std::string& path : paths) folders_.push_back(real_path(path));
+  for (const std::string& path : paths) folders_.push_back(files::real_path(path));
   disk_changed();
 }
 
@@ -123,16 +123,16 @@ const Buffer* Projects::find_buffer(std::string_view path) const {
 
 bool Projects::may_read(std::string_view path) const {
   if (find_buffer(path) != nullptr) return true;
-  return std::ranges::any_of(folders_, [&](const std::string& folder) { return is_below(path, folder); });
+  return std::ranges::any_of(folders_, [&](const std::string& folder) { return files::is_below(path, folder); });
 }
 
 bool Projects::exists(const std::string& path) const {
-  return find_buffer(path) != nullptr || stamp_of(path).exists;
+  return find_buffer(path) != nullptr || files::stamp_of(path).exists;
 }
 
 std::optional<SourceText> Projects::text(const std::string& path) {
   if (const Buffer* buffer = find_buffer(path)) return buffer->text;
-  const std::optional<std::string> bytes = read_file(path);
+  const std::optional<std::string> bytes = files::read_file(path);
   if (!bytes) return std::nullopt;
   return SourceText(*bytes);
 }
@@ -180,12 +180,12 @@ void Projects::reread_changed(Project& project) {
   for (uint32_t file = 0; file < project.paths.size(); ++file) {
     const std::string& path = project.paths[file];
     if (find_buffer(path) != nullptr) continue;
-    const FileStamp stamp = stamp_of(path);
+    const files::FileStamp stamp = files::stamp_of(path);
     if (stamp == project.stamps[file]) continue;
     project.stamps[file] = stamp;
     project.state = ++last_state_;
     is_settled_ = false;
-    const std::optional<std::string> bytes = read_file(path);
+    const std::optional<std::string> bytes = files::read_file(path);
     if (!bytes) continue;
     project.document.set_language({file}, language(path));
     project.document.set_text({file}, *bytes);
@@ -205,14 +205,14 @@ void Projects::settle() {
 
 void Projects::follow(Project& project) {
   const std::vector<std::string> before = project.paths;
-  project.is_complete = follow_includes(project.document, project.paths, *this);
-  std::vector<FileStamp> stamps;
+  project.is_complete = files::follow_includes(project.document, project.paths, *this);
+  std::vector<files::FileStamp> stamps;
   project.includes.clear();
   for (uint32_t file = 0; file < project.paths.size(); ++file) {
     const auto known = std::ranges::find(before, project.paths[file]);
     const bool was_read = known != before.end() && !project.stamps.empty();
     stamps.push_back(was_read ? project.stamps[static_cast<std::size_t>(known - before.begin())]
-                              : stamp_of(project.paths[file]));
+                              : files::stamp_of(project.paths[file]));
     project.includes.push_back(project.document.includes({file}));
   }
   project.stamps = std::move(stamps);
@@ -282,13 +282,13 @@ std::string Projects::find_root(const std::string& path) {
 std::string Projects::find_includer(const std::string& path) {
   if (!may_read(path)) return {};
   std::size_t looked_into = 0;
-  for (std::string folder = folder_of(path); may_read(folder); folder = folder_of(folder)) {
+  for (std::string folder = files::folder_of(path); may_read(folder); folder = files::folder_of(folder)) {
     for (const std::string& found : latex_files(folder)) {
-      const std::string candidate = real_path(found);
+      const std::string candidate = files::real_path(found);
       if (candidate == path || !may_read(candidate)) continue;
       if (++looked_into > kMaxLookedInto) return {};
       for (const IncludeTarget& target : look_into(candidate).includes) {
-        const ResolvedInclude resolved = resolve_include(target, candidate, candidate, *this);
+        const files::ResolvedInclude resolved = files::resolve_include(target, candidate, candidate, *this);
         const auto* included = std::get_if<std::string>(&resolved);
         if (included != nullptr && *included == path) return candidate;
       }
@@ -305,9 +305,9 @@ const Projects::KnownFile& Projects::look_into(const std::string& path) {
     known = {{}, includes_of(bytes, buffer->language), named_root(path, std::string_view(bytes).substr(0, kHeadBytes))};
     return known;
   }
-  const FileStamp stamp = stamp_of(path);
+  const files::FileStamp stamp = files::stamp_of(path);
   if (known.stamp == stamp) return known;
-  const std::string bytes = read_file(path).value_or(std::string());
+  const std::string bytes = files::read_file(path).value_or(std::string());
   known = {stamp, includes_of(bytes, language_of_path(path)),
            named_root(path, std::string_view(bytes).substr(0, kHeadBytes))};
   return known;
@@ -318,7 +318,7 @@ Project* Projects::project_of_root(const std::string& root) {
   for (const auto& project : projects_) {
     if (project->paths.front() == root) return project.get();
   }
-  const FileStamp stamp = stamp_of(root);
+  const files::FileStamp stamp = files::stamp_of(root);
   std::optional<SourceText> bytes = text(root);
   if (!bytes) return nullptr;
   projects_.push_back(std::make_unique<Project>(Project{

@@ -9,7 +9,7 @@
 
 #include "analysis/document.h"
 #include "features/text_edit.h"
-#include "lsp/file_source.h"
+#include "files/file_source.h"
 
 namespace texbrdf::lsp {
 
@@ -17,7 +17,7 @@ namespace texbrdf::lsp {
 struct Project {
   Document document;
   std::vector<std::string> paths;                    ///< by FileId
-  std::vector<FileStamp> stamps;                     ///< of the files when they were read
+  std::vector<files::FileStamp> stamps;              ///< of the files when they were read
   std::vector<std::vector<IncludeTarget>> includes;  ///< what was followed, by FileId
   bool is_complete = true;                           ///< everything could be followed
   uint64_t state = 0;  ///< another for each project, and whenever files came, went or were read anew
@@ -37,7 +37,7 @@ struct Buffer {
 };
 
 /// Keeps the projects of the open documents. What the client has open is never read from the disk.
-class Projects final : public FileSource {
+class Projects final : public files::FileSource {
  public:
   /// Only files below them are read.
   void set_folders(std::span<const std::string> paths);
@@ -79,7 +79,7 @@ class Projects final : public FileSource {
   void drop_unused();
 
   struct KnownFile {
-    FileStamp stamp;
+    files::FileStamp stamp;
     std::vector<IncludeTarget> includes;
     std::optional<std::string> root;  ///< that it names
   };

@@ -28,7 +28,7 @@ LAYERS = read_layers()
 
 # What only some folders may know: (header pattern, folders).
 RESTRICTED_HEADERS = [
-    (re.compile(r"nlohmann/"), ("server/lsp/",)),
+    (re.compile(r"nlohmann/"), ("server/lsp/", "server/scene_json/")),
     (re.compile(r"CLI/"), ("server/cli/",)),
     (re.compile(r"boost/"), ("server/web/",)),
     (re.compile(r"(epoxy|EGL|GL|glslang|SPIRV)/"), ("server/render/",)),

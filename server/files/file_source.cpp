@@ -1,10 +1,10 @@
-#include "lsp/file_source.h"
+#include "files/file_source.h"
 
 #include <filesystem>
 #include <fstream>
 #include <system_error>
 
-namespace texbrdf::lsp {
+namespace texbrdf::files {
 
 namespace fs = std::filesystem;
 
@@ -47,4 +47,10 @@ std::optional<std::string> read_file(const std::string& path) {
   return bytes;
 }
 
-}  // namespace texbrdf::lsp
+std::optional<SourceText> DiskFiles::text(const std::string& path) {
+  const std::optional<std::string> bytes = read_file(path);
+  if (!bytes) return std::nullopt;
+  return SourceText(*bytes);
+}
+
+}  // namespace texbrdf::files

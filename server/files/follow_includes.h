@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "analysis/document.h"
-#include "lsp/file_source.h"
+#include "files/file_source.h"
 
-namespace texbrdf::lsp {
+namespace texbrdf::files {
 
 /// A path, or why there is none.
 using ResolvedInclude = std::variant<std::string, Code>;
@@ -21,4 +21,4 @@ ResolvedInclude resolve_include(const IncludeTarget& target, std::string_view ro
 /// is any.
 bool follow_includes(Document& document, std::vector<std::string>& paths, FileSource& source);
 
-}  // namespace texbrdf::lsp
+}  // namespace texbrdf::files

@@ -7,7 +7,7 @@
 #include "source/source_text.h"
 #include "source/text_language.h"
 
-namespace texbrdf::lsp {
+namespace texbrdf::files {
 
 /// Where the files that a project includes come from. Paths are absolute, without `.`, `..` and symbolic links.
 class FileSource {
@@ -43,4 +43,12 @@ FileStamp stamp_of(const std::string& path);
 /// The bytes of a regular file; nothing where it cannot be read or is longer than a document may be.
 std::optional<std::string> read_file(const std::string& path);
 
-}  // namespace texbrdf::lsp
+/// All files of the disk.
+class DiskFiles final : public FileSource {
+ public:
+  bool may_read(std::string_view) const override { return true; }
+  bool exists(const std::string& path) const override { return stamp_of(path).exists; }
+  std::optional<SourceText> text(const std::string& path) override;
+};
+
+}  // namespace texbrdf::files

@@ -1,9 +1,9 @@
-#include "lsp/follow_includes.h"
+#include "files/follow_includes.h"
 
 #include <algorithm>
 #include <utility>
 
-namespace texbrdf::lsp {
+namespace texbrdf::files {
 namespace {
 
 /// What is nested deeper, or comes on top of so many files, is not read.
@@ -141,4 +141,4 @@ bool follow_includes(Document& document, std::vector<std::string>& paths, FileSo
   return Walk(document, paths, source).run();
 }
 
-}  // namespace texbrdf::lsp
+}  // namespace texbrdf::files
