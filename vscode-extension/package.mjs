@@ -12,6 +12,7 @@ try {
   for (const part of ['dist', 'media', 'walkthrough', 'package.json', 'README.md', '.vscodeignore', '../CHANGELOG.md', '../LICENSE']) {
     cpSync(path.join(here, part), path.join(stage, path.basename(part)), { recursive: true });
   }
+  cpSync(path.join(here, '../docs/schemas'), path.join(stage, 'schemas'), { recursive: true });
   if (program !== undefined) {
     mkdirSync(path.join(stage, 'bin'));
     execFileSync('strip', ['-o', path.join(stage, 'bin', 'texbrdf'), program]);

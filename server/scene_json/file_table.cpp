@@ -14,6 +14,11 @@ std::string FileTable::resolve(const JsonFile& file, std::string_view path) {
   return files::real_path(fmt::format("{}/{}", files::folder_of(file.path), path));
 }
 
+std::string FileTable::shown(const std::string& path, const JsonFile& from) {
+  const std::string folder = files::folder_of(from.path);
+  return files::is_below(path, folder) ? path.substr(folder.size() + 1) : path;
+}
+
 void FileTable::report(const Origin* from, const std::string& path, std::string message) {
   if (from != nullptr) {
     problems_.add(*from->file, from->id, std::move(message));
@@ -30,7 +35,7 @@ const JsonFile* FileTable::open(const std::string& path, const Origin* from) {
   }
   const std::optional<SourceText> read = text(path);
   if (!read) {
-    report(from, path, fmt::format("the file {} cannot be read", path));
+    report(from, path, fmt::format("the file {} cannot be read", from == nullptr ? path : shown(path, *from->file)));
     return nullptr;
   }
   std::unique_ptr<JsonFile>& entry = files_[path];

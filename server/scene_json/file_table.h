@@ -26,6 +26,8 @@ class FileTable final : public files::FileSource {
   const JsonFile* open(const std::string& path, const Origin* from);
   /// The real path of what a value of `file` names.
   static std::string resolve(const JsonFile& file, std::string_view path);
+  /// The path as it is told about in messages of `from`.
+  static std::string shown(const std::string& path, const JsonFile& from);
   /// All that was asked for.
   std::vector<std::string> paths() const;
 

@@ -106,7 +106,9 @@ std::optional<std::vector<double>> FileReader::numbers(JsonId id, std::size_t le
   if (!expect(id, JsonKind::Array)) return std::nullopt;
   const std::vector<JsonId>& elements = (*this)[id].elements;
   if (elements.size() < least || elements.size() > most) {
-    const std::string count = least == most ? fmt::format("{}", most) : fmt::format("{} to {}", least, most);
+    const std::string count = least == most ? fmt::format("{}", most)
+                              : least == 0  ? fmt::format("at most {}", most)
+                                            : fmt::format("{} to {}", least, most);
     fail(id,
          fmt::format("this has to be a list of {} number{}, not of {}", count, most == 1 ? "" : "s", elements.size()));
     return std::nullopt;

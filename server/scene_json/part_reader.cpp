@@ -93,7 +93,7 @@ std::optional<scene::UserPrimitiveId> PartReader::read_primitive(const Origin& p
     if (number && !is_new) {
       reader.fail(
           *id, fmt::format("the primitive {} of {} has the id {} too", name_of_part(other->second, PartKind::Primitive),
-                           other->second.file->path, primitive.id));
+                           FileTable::shown(other->second.file->path, *part.file), primitive.id));
     }
   }
   if (const auto id = object.required("code")) {

@@ -42,7 +42,7 @@ std::optional<scene::ShaderId> PartReader::read_document(const std::string& path
     return std::nullopt;
   };
   const std::optional<SourceText> text = table_.text(path);
-  if (!text) return fail(fmt::format("the document {} cannot be read", path));
+  if (!text) return fail(fmt::format("the document {} cannot be read", FileTable::shown(path, *where.file)));
   const std::optional<std::string> canonical = root.empty() ? std::string() : canonical_name(root);
   if (!canonical) return fail(fmt::format("`root` takes a name, got `{}`", root));
   if (scene_.shaders.size() >= scene::kMaxShaders)
@@ -62,7 +62,7 @@ std::optional<scene::ShaderId> PartReader::read_document(const std::string& path
   const Result<emit::EmittedCode> code = glsl->emit(*program, {.parameters = emit::ParameterStyle::Uniform});
   if (!code) return fail(code.error());
 
-  scene::Shader shader{path, scene::ShaderKind::Brdf, {}, code->text, {path, {}, 0}};
+  scene::Shader shader{path.substr(path.rfind('/') + 1), scene::ShaderKind::Brdf, {}, code->text, {path, {}, 0}};
   const std::vector<std::string> names = emit::parameter_identifiers(*program);
   const scene::ShaderId id{static_cast<uint32_t>(scene_.shaders.size())};
   for (std::size_t i = 0; i < program->parameters.size(); ++i) {

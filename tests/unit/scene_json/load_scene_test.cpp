@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
 
 #include "scene_json/object_reader.h"
 #include "support/read_file.h"
@@ -49,6 +52,7 @@ TEST(LoadScene, EveryBrokenFileSaysWhatIsWrong) {
     files::DiskFiles disk;
     const LoadedScene loaded = load_scene(path, disk);
     EXPECT_FALSE(loaded.scene) << path;
+    if (std::getenv("GOLDEN_UPDATE") != nullptr) std::ofstream(expected) << problems_of(loaded, folder);
     EXPECT_EQ(problems_of(loaded, folder), test::read_file(expected.string())) << path;
     ++count;
   }
