@@ -12,6 +12,7 @@ namespace texbrdf::scene_json {
 namespace {
 
 constexpr std::size_t kMaxModelsInside = 32;
+constexpr std::size_t kMaxProperties = 64;
 
 bool is_document(std::string_view path) {
   return path.ends_with(".tex") || path.ends_with(".md");
@@ -52,7 +53,7 @@ std::optional<std::vector<double>> numbers_of(FileReader& reader, JsonId id) {
 }  // namespace
 
 Scope PartReader::scope(FileReader& reader, ObjectReader& object) {
-  Scope scope = read_scope(reader, object, table_, problems_);
+  Scope scope = read_scope(reader, object, table_);
   const auto all = [&](PartKind kind, auto&& read) {
     for (const auto& part : scope.parts[static_cast<std::size_t>(kind)]) {
       if (part) read(part->where);
@@ -131,7 +132,10 @@ std::optional<scene::ShaderId> PartReader::read_shader(const Origin& part) {
   scene::Shader shader;
   if (const auto id = object.required("name")) shader.name = reader.text_that_is_not_empty(*id).value_or("");
   if (const auto list = object.member("properties")) {
-    for (const JsonId id : reader.list(*list)) {
+    const std::span<const JsonId> written = reader.list(*list);
+    if (written.size() > kMaxProperties)
+      reader.fail(*list, fmt::format("a shader has at most {} properties", kMaxProperties));
+    for (const JsonId id : written.first(std::min(written.size(), kMaxProperties))) {
       const auto text = reader.text(id);
       if (!text) continue;
       const Result<scene::Property> property = read_property(*text);
@@ -159,22 +163,26 @@ std::optional<scene::ShaderId> PartReader::read_shader(const Origin& part) {
   return scene::ShaderId{static_cast<uint32_t>(scene_.shaders.size() - 1)};
 }
 
+const Scope& PartReader::scope_of_file(const Origin& part) {
+  const auto [entry, is_new] = scopes_.try_emplace(part.file);
+  Scope& scope = entry->second;
+  if (!is_new) return scope;
+  scope.file = part.file;
+  if (part.id.value == 0 || part.file->tree.root().kind != JsonKind::Object) return scope;
+  Problems reported_by_others;
+  FileReader reader(*part.file, reported_by_others);
+  ObjectReader object(reader, JsonId{0});
+  scope = read_scope(reader, object, table_);
+  return scope;
+}
+
 std::optional<scene::ShaderId> PartReader::base_shader(FileReader& reader, const Origin& part, JsonId id,
                                                        const std::string& root) {
   const auto name = reader.text_that_is_not_empty(id);
   if (!name) return std::nullopt;
   const Origin where{part.file, id};
   if (is_document(*name)) return document(FileTable::resolve(*part.file, *name), root, where);
-  // The lists of the file that the material stands in.
-  Problems unheard;
-  FileReader silent(*part.file, unheard);
-  Scope scope;
-  scope.file = part.file;
-  if (part.id.value != 0 && part.file->tree.root().kind == JsonKind::Object) {
-    ObjectReader file_object(silent, JsonId{0});
-    scope = read_scope(silent, file_object, table_, unheard);
-  }
-  const auto found = find_part(scope, PartKind::Shader, *name, where, table_, problems_);
+  const auto found = find_part(scope_of_file(part), PartKind::Shader, *name, where, table_, problems_);
   return found ? shader(*found) : std::nullopt;
 }
 

@@ -58,12 +58,15 @@ class PartReader {
   std::optional<scene::MaterialId> read_material(const Origin& part);
   std::optional<scene::ShaderId> base_shader(FileReader& reader, const Origin& part, JsonId id,
                                              const std::string& root);
+  /// The lists of the file that the part stands in; none where the part is the whole file.
+  const Scope& scope_of_file(const Origin& part);
   void read_values(FileReader& reader, JsonId list, scene::Material& material);
   std::optional<ModelTree> read_model(const Origin& part);
 
   FileTable& table_;
   Problems& problems_;
   scene::Scene& scene_;
+  std::map<const JsonFile*, Scope> scopes_;
   Known<scene::UserPrimitiveId> primitives_;
   Known<scene::ShaderId> shaders_;
   Known<scene::MaterialId> materials_;

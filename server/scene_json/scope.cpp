@@ -17,6 +17,8 @@ constexpr std::array<PartName, kPartKinds> kPartNames = {{
     {"models", ".model.json", "model"},
 }};
 
+constexpr std::size_t kMaxListed = 1024;
+
 const JsonValue* member_of(const Origin& part, std::string_view key) {
   const JsonTree& tree = part.file->tree;
   if (tree[part.id].kind != JsonKind::Object) return nullptr;
@@ -97,14 +99,18 @@ std::string name_of_part(const Origin& part, PartKind kind) {
   return function_name(lines);
 }
 
-Scope read_scope(FileReader& reader, ObjectReader& object, FileTable& table, Problems&) {
+Scope read_scope(FileReader& reader, ObjectReader& object, FileTable& table) {
   Scope scope;
   scope.file = &reader.file();
   for (std::size_t k = 0; k < kPartKinds; ++k) {
     const auto kind = static_cast<PartKind>(k);
     const std::optional<JsonId> list = object.member(part_name(kind).list);
     if (!list) continue;
-    for (const JsonId id : reader.list(*list)) {
+    if (reader.list(*list).size() > kMaxListed) {
+      reader.fail(*list, fmt::format("a list of {}s has at most {}", part_name(kind).noun, kMaxListed));
+      continue;
+    }
+    for (const JsonId id : reader[*list].elements) {
       const std::optional<Scope::Part> part = read_declaration(reader, id, kind, table);
       const bool is_twice = part && !part->name.empty() && std::ranges::any_of(scope.parts[k], [&](const auto& other) {
                               return other && other->name == part->name;
@@ -119,16 +125,19 @@ Scope read_scope(FileReader& reader, ObjectReader& object, FileTable& table, Pro
 
 std::optional<Origin> find_part(const Scope& scope, PartKind kind, std::string_view name, const Origin& where,
                                 FileTable& table, Problems& problems) {
-  std::vector<std::string> names;
-  for (const auto& part : scope.parts[static_cast<std::size_t>(kind)]) {
+  const auto& declared = scope.parts[static_cast<std::size_t>(kind)];
+  for (const auto& part : declared) {
     if (part && part->name == name) return part->where;
-    if (part) names.push_back(part->name);
   }
   if (is_path(name)) return open_part(table, FileTable::resolve(*scope.file, name), where);
   const PartName& known = part_name(kind);
   const std::string file = std::string(name) + std::string(known.extension);
   const std::string path = FileTable::resolve(*scope.file, file);
   if (table.may_read(path) && table.exists(path)) return open_part(table, path, where);
+  std::vector<std::string> names;
+  for (const auto& part : declared) {
+    if (part && !problems.is_full()) names.push_back(part->name);
+  }
   problems.add(*where.file, where.id,
                fmt::format("there is no {} `{}`: `{}` here does not have it, and there is no file {}{}", known.noun,
                            name, known.list, file, suggestion(name, names)));

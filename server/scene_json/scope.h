@@ -34,7 +34,7 @@ struct Scope {
 };
 
 /// Reads the four lists.
-Scope read_scope(FileReader& reader, ObjectReader& object, FileTable& table, Problems& problems);
+Scope read_scope(FileReader& reader, ObjectReader& object, FileTable& table);
 
 /// A declared part, or one in a file `NAME.kind.json` beside the file, or in the file that `name` is the path of. What
 /// is not found is reported at `where`.
