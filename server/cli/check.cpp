@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 
+#include "cli/check_scene.h"
 #include "cli/files.h"
 #include "cli/json_output.h"
 #include "cli/messages.h"
@@ -59,9 +60,20 @@ bool is_included(const std::deque<NamedDocument>& documents, std::size_t index) 
 ExitCode check(const CheckOptions& options) {
   const std::optional<std::string> root = root_option(options.root);
   if (!root) return ExitCode::BadUsage;
+  if (options.format != Format::Text && std::ranges::any_of(options.files, is_scene_file)) {
+    print_message("what is wrong with scenes is told as text only: leave out --format");
+    return ExitCode::BadUsage;
+  }
   ExitCode exit_code = ExitCode::Fine;
+  std::string scenes;
   std::deque<NamedDocument> documents;  // snapshots must stay where they are
   for (const std::string& path : options.files) {
+    if (is_scene_file(path)) {
+      const CheckedScene scene = check_scene(path);
+      scenes += scene.report;
+      exit_code = std::max(exit_code, scene.exit_code);
+      continue;
+    }
     auto read = read_document(path);
     if (std::holds_alternative<ExitCode>(read)) {
       exit_code = ExitCode::BadUsage;
@@ -76,7 +88,7 @@ ExitCode check(const CheckOptions& options) {
     files.push_back({documents[i].file_names, &snapshot, features::all_diagnostics(snapshot, *root)});
     if (has_error(files.back().diagnostics)) exit_code = std::max(exit_code, ExitCode::DocumentHasErrors);
   }
-  if (const auto failure = write_output(options.output, formatted(files, options))) {
+  if (const auto failure = write_output(options.output, formatted(files, options) + scenes)) {
     print_message(failure->message);
     return ExitCode::BadUsage;
   }
@@ -88,7 +100,7 @@ ExitCode check(const CheckOptions& options) {
 Subcommand add_check(CLI::App& program) {
   const auto options = std::make_shared<CheckOptions>();
   CLI::App* const arguments = program.add_subcommand("check", "Report what is wrong with documents");
-  arguments->add_option("FILE", options->files, "LaTeX documents, - for standard input")->required();
+  arguments->add_option("FILE", options->files, "LaTeX documents and scenes (.json), - for standard input")->required();
   add_root_option(*arguments, options->root);
   const std::map<std::string, Format> formats{{"text", Format::Text}, {"json", Format::Json}, {"sarif", Format::Sarif}};
   arguments->add_option("--format", options->format, "text (for people), json or sarif")

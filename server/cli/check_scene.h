@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "cli/exit_code.h"
+
+namespace texbrdf::cli {
+
+/// Whether it is to be read as a scene or a part of one, by its name.
+bool is_scene_file(const std::string& path);
+
+struct CheckedScene {
+  std::string report;  ///< a line for each problem
+  ExitCode exit_code = ExitCode::Fine;
+};
+
+/// What is wrong with a scene, a model, a material, a shader or a primitive and all that it names.
+CheckedScene check_scene(const std::string& path);
+
+}  // namespace texbrdf::cli
