@@ -35,7 +35,6 @@ void Canvas::circle(Point centre, double radius, Colour fill) {
 }
 
 void Canvas::text(Point at, Anchor anchor, Runs runs, double size, Colour colour) {
-  if (!std::isfinite(at.x) || !std::isfinite(at.y)) return;  // ticks of a scale that overflows have no place
   if (anchor == Anchor::Middle) {
     const double half = font_.width_of(runs, size) / 2;
     at.x = std::max(std::min(at.x, width() - half - kEdge), half + kEdge);

@@ -71,7 +71,8 @@ Runs power_of_ten(double value) {
 std::optional<double> Scale::fraction_of(double value) const {
   if (!std::isfinite(value) || (kind == ScaleKind::Log && value <= 0)) return std::nullopt;
   const double place = kind == ScaleKind::Log ? std::log10(value) : value;
-  return (place - low) / (high - low);
+  const double fraction = (place - low) / (high - low);
+  return std::isfinite(fraction) ? std::optional(fraction) : std::nullopt;
 }
 
 Scale scale_for(ScaleKind kind, std::span<const double> values, std::optional<double> maximum) {
