@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { direction, facesOf, projection, sampleUnder } from '../src/preview/webview/lobe';
+import { axisTriangles, lobeTriangles, vertexFloats } from '../src/preview/webview/lobe_mesh';
 import { cartesianFrame, quarterAxis } from '../src/preview/webview/plot_frame';
 import { scaleFor } from '../src/preview/webview/plot_scale';
 import { cartesianShapes, curvesOf, luminances } from '../src/preview/webview/plot_shapes';
@@ -45,6 +46,36 @@ test('what is nearer is drawn later, and the pointer finds it', () => {
 
 test('light comes from the eye, and never goes out', () => {
   for (const { light } of facesSeen(ball, 20)) assert.ok(light >= 0.4 && light <= 1);
+});
+
+const white = [1, 1, 1, 1] as const;
+const vertices = (floats: readonly number[]) => Array.from({ length: floats.length / vertexFloats }, (_, i) => floats.slice(i * vertexFloats, (i + 1) * vertexFloats));
+
+test('the triangles of a ball have normals along its radii and the nearness of their places', () => {
+  const rows = [0, 10, 20, 30];
+  const cap: Surface = { ...ball, rows, columns: [0, 10, 20, 30], values: [Array<number>(16).fill(1)] };
+  const view = projection({ azimuth: 0, elevation: 40 }, 0, size);
+  const found = vertices(lobeTriangles({ surface: cap, numbers: cap.values[0] ?? [], isPinned: false }, unit, view, white));
+  assert.equal(found.length, 6 * 9);
+  const way = direction(10, 10); // An inner sample: its normal is the mean of all around it.
+  const place = view.at(way, 1);
+  const there = found.filter(([x = 0, y = 0]) => Math.hypot(x - place.x, y - place.y) < 1e-9);
+  assert.equal(there.length, 6);
+  for (const [, , nearness = 0, x = 0, y = 0, z = 0] of there) {
+    assert.ok(Math.abs(nearness - view.nearness(way)) < 1e-12);
+    assert.ok(Math.abs(x * way[0] + y * way[1] + z * way[2]) / Math.hypot(x, y, z) > Math.cos(5 * Math.PI / 180));
+  }
+});
+
+test('an axis is a strip of its width, lit from nowhere', () => {
+  const view = projection({ azimuth: 30, elevation: 20 }, 0, size);
+  const end = direction(90, 60);
+  const found = vertices(axisTriangles({ end, length: 1.05, paint: white, width: 3 }, view));
+  const [a, b, c] = found.map(([x = 0, y = 0]) => ({ x, y }));
+  assert.ok(a !== undefined && b !== undefined && c !== undefined);
+  assert.ok(Math.abs(Math.hypot(a.x - b.x, a.y - b.y) - 3) < 1e-9);
+  assert.equal(found[2]?.[2], 1.05 * view.nearness(end));
+  for (const [, , , ...normal] of found) assert.deepEqual(normal.slice(0, 3), [0, 0, 0]);
 });
 
 test('the colours of a slice get lighter all the way', () => {

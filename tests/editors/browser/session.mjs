@@ -27,11 +27,12 @@ rmSync(out, { recursive: true, force: true });
 mkdirSync(out, { recursive: true });
 
 const editor = new Editor(program, 'file:///papers/paper.tex', source);
-const browser = await chromium.launch({ executablePath, headless: true, args: ['--no-sandbox', '--disable-gpu'] });
+const browser = await chromium.launch({ executablePath, headless: true, args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'] });
 const faults = [];
 
-async function openedTab(url) {
+async function openedTab(url, prepared = () => {}) {
   const page = await browser.newPage({ viewport: { width: 900, height: 800 } });
+  await page.addInitScript(prepared);
   page.setDefaultTimeout(patience);
   page.on('console', (message) => { if (message.type() === 'error') faults.push(message.text()); });
   page.on('pageerror', (error) => { faults.push(String(error)); });
@@ -169,6 +170,7 @@ const steps = {
     await page.locator('#furtherSurface').scrollIntoViewIfNeeded();
     await untilTrue('no lobe', async () => (await drawn()).length > 5000);
     await pointUntil(page, '#furtherValue', /^θₒ [\d.]+°, φₒ -?[\d.]+°: R [\d.]+ · G [\d.]+ · B [\d.]+$/);
+    assert.equal(await page.locator('#furtherSurface').getAttribute('data-painter'), 'webgl');
     await shot(page, 'plot-lobe');
     const before = await drawn();
     const box = await page.locator('#furtherSurface').boundingBox();
@@ -186,6 +188,18 @@ const steps = {
     await page.locator('#furtherValue', { hasText: /^θ_d [\d.]+°, θ_h [\d.]+°: / }).waitFor();
     await shot(page, 'plot-slice');
     await page.locator('#plotScale').selectOption('linear');
+  },
+  'without WebGL a lobe is drawn as well': async () => {
+    const other = await openedTab(await editor.url, () => {
+      const context = HTMLCanvasElement.prototype.getContext;
+      HTMLCanvasElement.prototype.getContext = function (kind, ...rest) { return kind === 'webgl2' ? null : context.call(this, kind, ...rest); };
+    });
+    await picture(other);
+    await other.locator('#furtherKind').selectOption('lobe');
+    await other.locator('#furtherSurface[data-painter="canvas"]').scrollIntoViewIfNeeded();
+    await pointUntil(other, '#furtherValue', /^θₒ [\d.]+°, φₒ -?[\d.]+°: R [\d.]+/);
+    await shot(other, 'plot-lobe-without-webgl');
+    await other.close();
   },
   'the numbers of plots can be saved': async (page) => {
     for (const [button, name, head] of [['#saveCurve', 'paper-theta-o.csv', 'theta_o,red,green,blue'], ['#saveFurther', 'paper-slice.csv', 'theta_d,theta_h,red,green,blue']]) {

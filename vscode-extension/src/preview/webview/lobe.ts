@@ -1,4 +1,5 @@
-// The surface of all f · ω_o, seen in parallel from an eye that goes around it: what is drawn, from behind to the front.
+// The surface of all f · ω_o, seen in parallel from an eye that goes around it: where it is on the canvas, and its faces from behind to the
+// front.
 import type { Point, Surface, Value } from '../messages';
 import type { PlotSize } from './plot_frame';
 import { fractionOf } from './plot_scale';
@@ -20,14 +21,17 @@ export interface Face {
   isPinned: boolean;
 }
 
-type Vector = readonly [number, number, number];
+export type Vector = readonly [number, number, number];
 
 const degree = Math.PI / 180;
-const ambient = 0.4;
+/** The part of the light that every face gets. */
+export const ambient = 0.4;
 
 export interface Projection {
   at(direction: Vector, length: number): Point;
   nearness(v: Vector): number;
+  /** Where the light comes from. */
+  lamp: Vector;
   light(normal: Vector): number;
 }
 
@@ -44,6 +48,7 @@ export function projection({ azimuth, elevation }: Eye, lightPhi: number, { widt
   return {
     at: (v, length) => ({ x: origin.x + radius * length * dot(v, right), y: origin.y - radius * length * dot(v, up) }),
     nearness: (v) => dot(v, towards),
+    lamp,
     light: (normal) => {
       const size = Math.sqrt(dot(normal, normal) * dot(lamp, lamp));
       return size === 0 ? 1 : ambient + (1 - ambient) * Math.abs(dot(normal, lamp)) / size;
@@ -68,22 +73,39 @@ export function facesOf(lobes: readonly Lobe[], scale: Scale, eye: Projection): 
   return faces.sort((a, b) => a.nearness - b.nearness).map(({ face }) => face);
 }
 
-function facesOfOne({ surface, numbers, isPinned }: Lobe, scale: Scale, eye: Projection): { nearness: number; face: Face }[] {
-  const { rows, columns } = surface;
+function facesOfOne(lobe: Lobe, scale: Scale, eye: Projection): { nearness: number; face: Face }[] {
+  return quadsOf(lobe, scale).map(({ corners, normal, sample }) => {
+    const nearness = corners.reduce((sum, corner) => sum + eye.nearness(corner) / 4, 0);
+    return { nearness, face: { points: corners.map((corner) => eye.at(corner, 1)), light: eye.light(normal), sample, isPinned: lobe.isPinned } };
+  });
+}
+
+/** A cell of the surface's grid. */
+export interface Quad {
+  /** The largest radius is 1. */
+  corners: readonly [Vector, Vector, Vector, Vector];
+  /** The places of the corners in the list of samples. */
+  samples: readonly [number, number, number, number];
+  /** Of any length, towards either side. */
+  normal: Vector;
+  /** What stands for the cell. */
+  sample: number;
+}
+
+/** Between each four samples that have a place. */
+export function quadsOf({ surface: { rows, columns }, numbers }: Lobe, scale: Scale): Quad[] {
   const corners = rows.flatMap((theta, row) => columns.map((phi, column) => {
     const fraction = fractionOf(scale, numbers[row * columns.length + column] ?? 'nan');
     return fraction === undefined ? undefined : scaled(direction(theta, phi), Math.max(fraction, 0));
   }));
-  const found: { nearness: number; face: Face }[] = [];
+  const found: Quad[] = [];
   for (let row = 1; row < rows.length; ++row) {
     for (let column = 1; column < columns.length; ++column) {
       const sample = row * columns.length + column;
-      const [a, b, c, d] = [corners[sample - columns.length - 1], corners[sample - columns.length], corners[sample], corners[sample - 1]];
+      const samples = [sample - columns.length - 1, sample - columns.length, sample, sample - 1] as const;
+      const [a, b, c, d] = samples.map((at) => corners[at]);
       if (a === undefined || b === undefined || c === undefined || d === undefined) continue;
-      const all = [a, b, c, d];
-      const nearness = all.reduce((sum, corner) => sum + eye.nearness(corner) / 4, 0);
-      const light = eye.light(cross(minus(c, a), minus(d, b)));
-      found.push({ nearness, face: { points: all.map((corner) => eye.at(corner, 1)), light, sample, isPinned } });
+      found.push({ corners: [a, b, c, d], samples, normal: cross(minus(c, a), minus(d, b)), sample });
     }
   }
   return found;
