@@ -99,7 +99,7 @@ Runs tick_text(const Scale& scale, double value) {
   const double size = std::abs(value);
   const bool has_few_zeros =
       scale.kind == ScaleKind::Log ? size > 5e-3 && size < 5e2 : size >= 1e-3 && size < kMostZeros;
-  return has_few_zeros ? plain(number_text(value)) : power_of_ten(value);
+  return has_few_zeros ? plain(with_minus_sign(fmt::format("{:.6g}", value))) : power_of_ten(value);
 }
 
 std::string number_text(double value) {

@@ -85,6 +85,7 @@ TEST(Scale, TicksHaveTheDigitsThatTheyNeed) {
   EXPECT_EQ(text_of(linear, 0), "0");
   EXPECT_EQ(text_of(linear, 0.30000000000000004), "0.3");
   EXPECT_EQ(text_of(linear, -2.5), "−2.5");
+  EXPECT_EQ(text_of(linear, 50000), "50000");
   EXPECT_EQ(text_of(linear, 2e6), "2·10^6");
   EXPECT_EQ(text_of(linear, 5e-5), "5·10^−5");
   const Scale log = scale_of(ScaleKind::Log, {1e-6, 1});
