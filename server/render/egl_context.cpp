@@ -128,31 +128,6 @@ std::optional<Opened> open_platform(const Egl& egl, const Platform& platform) {
   return std::nullopt;
 }
 
-/// Part of OpenGL 4.1, and an extension of 3.3 wherever there is one: it spares the vertex shader's compilation.
-bool has_separate_shaders(const Gl& gl) {
-  GLint count = 0;
-  gl.glGetIntegerv(GL_NUM_EXTENSIONS, &count);
-  for (GLint i = 0; i < count; ++i) {
-    const GLubyte* name = gl.glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
-    if (name != nullptr && std::string_view(reinterpret_cast<const char*>(name)) == "GL_ARB_separate_shader_objects") {
-      return true;
-    }
-  }
-  return false;
-}
-
-Result<Gl> load_gl(const Egl& egl) {
-  Gl gl;
-#define GL_FUNCTION(name, type)                                                \
-  if (!load(gl.name, reinterpret_cast<void*>(egl.eglGetProcAddress(#name)))) { \
-    return Failure{"this OpenGL has no function " #name};                      \
-  }
-#include "render/gl_functions.def"
-#undef GL_FUNCTION
-  if (!has_separate_shaders(gl)) return Failure{"this OpenGL has no separate shader objects"};
-  return gl;
-}
-
 std::string text_of(const Gl& gl, GLenum name) {
   const GLubyte* text = gl.glGetString(name);
   return text == nullptr ? "unknown" : reinterpret_cast<const char*>(text);
@@ -187,7 +162,7 @@ Result<EglContext> EglContext::create() {
     tried += (tried.empty() ? "" : ", ") + platform.name;
     const std::optional<Opened> opened = open_platform(*egl, platform);
     if (!opened) continue;
-    const Result<Gl> gl = load_gl(*egl);
+    const Result<Gl> gl = load_gl(egl->eglGetProcAddress);
     std::unique_ptr<State> state(new State{*egl, *opened, gl ? *gl : Gl{}, {}});
     if (!gl) {
       tried += fmt::format(" ({})", gl.error());

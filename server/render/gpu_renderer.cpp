@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "render/program_cache.h"
+#include "render/scene_target.h"
+#include "render/scene_tracer.h"
 #include "render/tile_target.h"
 
 namespace texbrdf::render {
@@ -26,16 +28,20 @@ Refusal shader_refusal(const std::string& message) {
 }  // namespace
 
 struct GpuRenderer::State {
-  State(EglContext egl, std::unique_ptr<const GlslChecker> glslang, TileTarget tiles)
+  State(EglContext egl, std::unique_ptr<const GlslChecker> glslang, TileTarget tiles, SceneTracer tracer)
       : context(std::move(egl)),
         checker(std::move(glslang)),
         target(std::move(tiles)),
-        programs(context.gl(), *checker) {}
+        programs(context.gl(), *checker),
+        scenes(std::move(tracer)),
+        scene_target(context.gl()) {}
 
   EglContext context;
   std::unique_ptr<const GlslChecker> checker;
   TileTarget target;
   ProgramCache programs;
+  SceneTracer scenes;
+  SceneTarget scene_target;
   SphereCache sphere;
   std::optional<SphereView> uploaded;  ///< whose normals, all of them, are in the texture
 
@@ -104,7 +110,10 @@ GpuRenderer::~GpuRenderer() = default;
 Result<GpuRenderer> GpuRenderer::create(EglContext context, std::unique_ptr<const GlslChecker> checker) {
   Result<TileTarget> target = TileTarget::create(context.gl());
   if (!target) return Failure{target.error()};
-  return GpuRenderer(std::make_unique<State>(std::move(context), std::move(checker), *std::move(target)));
+  Result<SceneTracer> scenes = SceneTracer::create(context.gl(), *checker);
+  if (!scenes) return Failure{scenes.error()};
+  return GpuRenderer(
+      std::make_unique<State>(std::move(context), std::move(checker), *std::move(target), *std::move(scenes)));
 }
 
 const std::string& GpuRenderer::description() const {
@@ -117,6 +126,7 @@ std::variant<DrawAnswer, Refusal> GpuRenderer::answer(const DrawRequest& request
   const auto found = state_->programs.find_or_compile(request.model.source, GeometrySource::Sphere);
   if (!found) return shader_refusal(found.error());
   const ProgramCache::Program& program = *found->program;
+  state_->target.bind();
   const SphereGeometry& geometry = state_->sphere.geometry(request.view);
   state_->set_uniforms(program, request.model.uniforms);
   state_->set_direction(program, kLightName, geometry.light);
@@ -137,6 +147,7 @@ std::variant<EvaluateAnswer, Refusal> GpuRenderer::answer(const EvaluateRequest&
   const auto found = state_->programs.find_or_compile(request.model.source, GeometrySource::Table);
   if (!found) return shader_refusal(found.error());
   const ProgramCache::Program& program = *found->program;
+  state_->target.bind();
   state_->set_uniforms(program, request.model.uniforms);
   state_->bind_textures(program, kVectorOfUnit.size());
   state_->uploaded.reset();
@@ -157,6 +168,21 @@ std::variant<EvaluateAnswer, Refusal> GpuRenderer::answer(const EvaluateRequest&
   EvaluateAnswer answer;
   answer.values.reserve(total * 3);
   for (std::size_t i = 0; i < total; ++i) answer.values.insert(answer.values.end(), &values[i * 4], &values[i * 4] + 3);
+  return answer;
+}
+
+std::variant<SceneAnswer, Refusal> GpuRenderer::answer(const SceneRequest& request) {
+  const auto start = std::chrono::steady_clock::now();
+  if (const auto fault = find_fault(request)) return Refusal{RefusalKind::Request, *fault};
+  if (const auto failure = state_->scene_target.bind(request.tile))
+    return Refusal{RefusalKind::Renderer, failure->message};
+  const auto drawn = state_->scenes.draw(request.source, request.state, request.look, request.tile, request.sample);
+  if (!drawn) return shader_refusal(drawn.error());
+  SceneAnswer answer;
+  answer.values = state_->scene_target.read(request.tile);
+  if (const auto error = state_->target.take_error()) return Refusal{RefusalKind::Renderer, *error};
+  answer.compiled = drawn->compiled;
+  answer.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   return answer;
 }
 

@@ -7,6 +7,7 @@
 #include "render/egl_context.h"
 #include "render/glsl_check.h"
 #include "render/protocol.h"
+#include "render/scene_protocol.h"
 
 namespace texbrdf::render {
 
@@ -22,6 +23,7 @@ class GpuRenderer {
   const std::string& description() const;
   std::variant<DrawAnswer, Refusal> answer(const DrawRequest& request);
   std::variant<EvaluateAnswer, Refusal> answer(const EvaluateRequest& request);
+  std::variant<SceneAnswer, Refusal> answer(const SceneRequest& request);
 
  private:
   struct State;

@@ -34,7 +34,10 @@ ProgramCache::~ProgramCache() {
 }
 
 Result<ProgramCache::Found> ProgramCache::find_or_compile(const std::string& source, GeometrySource geometry) {
-  ShaderText text = shader_text(source, geometry);
+  return find_or_compile(shader_text(source, geometry));
+}
+
+Result<ProgramCache::Found> ProgramCache::find_or_compile(ShaderText text) {
   const auto known = std::find_if(programs_.begin(), programs_.end(),
                                   [&](const Program& program) { return program.text.fragment == text.fragment; });
   if (known != programs_.end()) {

@@ -29,6 +29,8 @@ class ProgramCache {
   ProgramCache& operator=(const ProgramCache&) = delete;
 
   Result<Found> find_or_compile(const std::string& source, GeometrySource geometry);
+  /// Fails with what is wrong with the text, in one line.
+  Result<Found> find_or_compile(ShaderText text);
 
  private:
   const Gl& gl_;

@@ -13,7 +13,7 @@ GLsizei rows_of(std::size_t points) {
   return static_cast<GLsizei>((points + kTileWidth - 1) / kTileWidth);
 }
 
-bool bind_float_target(const Gl& gl) {
+GLuint bind_float_target(const Gl& gl) {
   GLuint renderbuffer = 0;
   gl.glGenRenderbuffers(1, &renderbuffer);
   gl.glBindRenderbuffer(GL_RENDERBUFFER, renderbuffer);
@@ -22,22 +22,22 @@ bool bind_float_target(const Gl& gl) {
   gl.glGenFramebuffers(1, &framebuffer);
   gl.glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   gl.glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, renderbuffer);
-  return gl.glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+  return gl.glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE ? framebuffer : 0;
 }
 
 }  // namespace
 
 Result<TileTarget> TileTarget::create(const Gl& gl) {
   TileTarget target(gl);
-  if (!bind_float_target(gl)) return Failure{"this OpenGL cannot draw into 32-bit floats"};
+  target.framebuffer_ = bind_float_target(gl);
+  if (target.framebuffer_ == 0) return Failure{"this OpenGL cannot draw into 32-bit floats"};
   // With alpha written once and masked from then on, llvmpipe compiles one variant of a shader instead of two.
   gl.glClearColor(0, 0, 0, 1);
   gl.glClear(GL_COLOR_BUFFER_BIT);
   gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
 
-  GLuint vertex_array = 0;
-  gl.glGenVertexArrays(1, &vertex_array);
-  gl.glBindVertexArray(vertex_array);
+  gl.glGenVertexArrays(1, &target.vertex_array_);
+  gl.glBindVertexArray(target.vertex_array_);
   gl.glGenTextures(static_cast<GLsizei>(target.textures_.size()), target.textures_.data());
   gl.glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
 
@@ -49,6 +49,13 @@ Result<TileTarget> TileTarget::create(const Gl& gl) {
   gl.glUseProgramStages(target.pipeline_, GL_VERTEX_SHADER_BIT, target.vertex_program_);
   if (const auto error = target.take_error()) return Failure{*error};
   return target;
+}
+
+void TileTarget::bind() {
+  gl_->glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+  gl_->glBindVertexArray(vertex_array_);
+  gl_->glBindProgramPipeline(pipeline_);
+  gl_->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
 }
 
 void TileTarget::upload(uint32_t unit, const PointVectors& vectors) {

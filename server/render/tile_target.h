@@ -26,6 +26,8 @@ class TileTarget {
  public:
   static Result<TileTarget> create(const Gl& gl);
 
+  /// Before drawing, where something else was drawn to since.
+  void bind();
   /// At most kTilePoints points.
   void upload(uint32_t unit, const PointVectors& vectors);
   /// Runs the program over the first `points` points.
@@ -38,6 +40,8 @@ class TileTarget {
  private:
   explicit TileTarget(const Gl& gl) : gl_(&gl) {}
   const Gl* gl_;
+  GLuint framebuffer_ = 0;
+  GLuint vertex_array_ = 0;
   GLuint pipeline_ = 0;
   GLuint vertex_program_ = 0;
   std::array<GLuint, 5> textures_{};

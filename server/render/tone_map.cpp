@@ -1,49 +1,15 @@
 #include "render/tone_map.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
+
+#include "render/gamma_table.h"
 
 namespace texbrdf::render {
 
 namespace {
-
-/// Brings a linear value in [0, 1] to eight bits: round(255 · value^(1/gamma)), exactly. The bits of a float, cut
-/// to exponent and a few digits, index a table of first guesses; the thresholds between neighbouring levels decide.
-class GammaTable {
- public:
-  explicit GammaTable(double gamma) {
-    for (std::size_t level = 1; level < thresholds_.size(); ++level) {
-      thresholds_[level] = static_cast<float>(std::pow((static_cast<double>(level) - 0.5) / 255, gamma));
-    }
-    thresholds_.back() = std::numeric_limits<float>::infinity();
-    uint32_t level = 0;
-    for (uint32_t cell = 0; cell < guesses_.size(); ++cell) {
-      const float least = std::bit_cast<float>(cell << kDroppedBits);
-      while (least >= thresholds_[level + 1]) ++level;
-      guesses_[cell] = static_cast<uint8_t>(level);
-    }
-  }
-
-  uint8_t operator()(float value) const {
-    if (!(value > 0)) return 0;
-    if (value >= 1) return 255;
-    uint32_t level = guesses_[std::bit_cast<uint32_t>(value) >> kDroppedBits];
-    while (value >= thresholds_[level + 1]) ++level;
-    return static_cast<uint8_t>(level);
-  }
-
- private:
-  static constexpr uint32_t kDroppedBits = 16;
-  static constexpr uint32_t kCells = (std::bit_cast<uint32_t>(1.0F) >> kDroppedBits) + 1;
-
-  /// The least value of each level; 256 is never reached.
-  std::array<float, 257> thresholds_{};
-  std::array<uint8_t, kCells> guesses_{};
-};
 
 ImageRgba8 black_disc(const SphereGeometry& geometry) {
   ImageRgba8 image{geometry.size, geometry.size, std::vector<uint8_t>(geometry.alpha.size() * 4)};

@@ -70,6 +70,7 @@ Message encode_either(const std::variant<Answer, Refusal>& answer) {
 std::optional<Message> answer(GpuRenderer& renderer, const Message& message) {
   if (const auto request = decode<DrawRequest>(message)) return encode_either(renderer.answer(*request));
   if (const auto request = decode<EvaluateRequest>(message)) return encode_either(renderer.answer(*request));
+  if (const auto request = decode<SceneRequest>(message)) return encode_either(renderer.answer(*request));
   return std::nullopt;
 }
 

@@ -236,6 +236,20 @@ std::variant<std::vector<std::array<float, 3>>, RenderFault> RenderWorker::evalu
   return values;
 }
 
+std::variant<SceneAnswer, RenderFault> RenderWorker::trace(const SceneRequest& request) {
+  if (const auto fault = find_fault(request)) return state_->note({RenderFaultKind::Request, *fault});
+  if (request.source.size() > kMaxSourceBytes) {
+    return state_->note({RenderFaultKind::Request, "the shader of the scene is too large to be drawn"});
+  }
+  auto answer = state_->answer<SceneAnswer>(encode(request));
+  if (const auto* drawn = std::get_if<SceneAnswer>(&answer)) {
+    if (drawn->values.size() != request.tile.pixel_count() * 3) {
+      return state_->lose_child({ChannelFaultKind::Garbage, "a tile of another size"}, "drawing");
+    }
+  }
+  return answer;
+}
+
 std::vector<RenderFault> RenderWorker::take_faults() {
   return std::exchange(state_->faults, {});
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "eval/evaluate.h"
+#include "render/scene_protocol.h"
 #include "render/shader_model.h"
 #include "render/sphere.h"
 #include "render/tone_map.h"
@@ -60,6 +61,8 @@ class RenderWorker {
   /// The raw value of the model at each geometry, in single precision.
   std::variant<std::vector<std::array<float, 3>>, RenderFault> evaluate(const ShaderModel& model,
                                                                         std::span<const eval::Geometry> geometries);
+  /// One sample of each pixel of a tile of a scene.
+  std::variant<SceneAnswer, RenderFault> trace(const SceneRequest& request);
   /// All faults since the last call, also those found between requests (an idle worker that died): for a log.
   std::vector<RenderFault> take_faults();
   /// What draws, for logs: GL_RENDERER and GL_VERSION. Empty before the first answer.
