@@ -17,13 +17,14 @@ CheckedScene check_scene(const std::string& path) {
   const std::string real = files::real_path(path);
   if (real.empty() || !disk.text(real)) {
     print_message(fmt::format("{}: cannot be read", path));
-    return {{}, ExitCode::BadUsage};
+    return {{}, {}, ExitCode::BadUsage};
   }
-  const scene_json::LoadedScene loaded = scene_json::load_scene(real, disk);
+  scene_json::LoadedScene loaded = scene_json::load_scene(real, disk);
   CheckedScene checked;
   const std::string here = files::real_path(".");
   for (const scene_json::Problem& problem : loaded.problems) checked.report += describe(problem, here) + "\n";
-  if (!loaded.scene) checked.exit_code = ExitCode::DocumentHasErrors;
+  checked.scene = std::move(loaded.scene);
+  if (!checked.scene) checked.exit_code = ExitCode::DocumentHasErrors;
   return checked;
 }
 

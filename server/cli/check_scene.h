@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "cli/exit_code.h"
+#include "scene/scene.h"
 
 namespace texbrdf::cli {
 
@@ -10,7 +12,8 @@ namespace texbrdf::cli {
 bool is_scene_file(const std::string& path);
 
 struct CheckedScene {
-  std::string report;  ///< a line for each problem
+  std::optional<scene::Scene> scene;  ///< where there is no error
+  std::string report;                 ///< a line for each problem
   ExitCode exit_code = ExitCode::Fine;
 };
 

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <memory>
 #include <optional>
@@ -13,6 +12,7 @@
 #include "cli/files.h"
 #include "cli/messages.h"
 #include "cli/model.h"
+#include "cli/picture_size.h"
 #include "cli/subcommands.h"
 #include "plots/csv.h"
 #include "plots/raster.h"
@@ -89,20 +89,12 @@ Result<Variation> read_variation(const std::string& typed) {
   }
 }
 
-/// "720x480", or "480" for a square.
-bool read_size(std::string_view typed, plots::Look& look) {
-  const auto read = [](std::string_view text, uint32_t& number) {
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc{} && end == text.data() + text.size();
-  };
-  const std::string_view width = typed.substr(0, typed.find('x'));
-  const std::string_view height = width.size() == typed.size() ? width : typed.substr(width.size() + 1);
-  return read(width, look.width) && read(height, look.height);
-}
-
 std::optional<std::string> usage_fault(PlotOptions& options) {
-  if (!options.size.empty() && !read_size(options.size, options.look)) {
-    return fmt::format("--size takes WIDTHxHEIGHT, got '{}'", options.size);
+  if (!options.size.empty()) {
+    const auto size = read_picture_size(options.size);
+    if (!size) return fmt::format("--size takes WIDTHxHEIGHT, got '{}'", options.size);
+    options.look.width = size->width;
+    options.look.height = size->height;
   }
   if (auto fault = plots::find_fault(options.request)) return fault;
   if (auto fault = plots::find_fault(options.look)) return fault;

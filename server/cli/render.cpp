@@ -1,13 +1,19 @@
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <memory>
 #include <optional>
+#include <string_view>
 
+#include "cli/check_scene.h"
 #include "cli/files.h"
 #include "cli/messages.h"
 #include "cli/model.h"
+#include "cli/picture_size.h"
 #include "cli/render_fault.h"
+#include "cli/render_scene.h"
 #include "cli/subcommands.h"
 #include "preview/cpu_frame.h"
 #include "preview/shader_model.h"
@@ -23,8 +29,10 @@ struct RenderOptions {
   ModelOptions model;
   std::string output;
   Device device = Device::Gpu;
-  std::string view_name = "sphere";
+  std::string view_name;
+  std::string size;
   render::SphereView view;
+  SceneOptions scene;
 };
 
 using PictureOrExit = std::variant<render::Picture, ExitCode>;
@@ -58,7 +66,58 @@ PictureOrExit draw_on_gpu(const ir::Program& program, const render::SphereView& 
   return std::get<render::GpuPicture>(std::move(drawn)).picture;
 }
 
-ExitCode render(const RenderOptions& options) {
+ExitCode bad_usage(std::string_view message) {
+  print_message(message);
+  return ExitCode::BadUsage;
+}
+
+/// Options for documents and for scenes stand side by side; one that does not fit the file is a mistake.
+constexpr std::array kOptionsOfBoth{"FILE", "--output", "--device", "--view", "--size", "--gamma", "--exposure"};
+
+std::optional<std::string> misplaced_option(const CLI::App& arguments, bool is_scene) {
+  for (const CLI::Option* option : arguments.get_options()) {
+    const std::string name = option->get_lnames().empty() ? "FILE" : "--" + option->get_lnames().front();
+    const bool is_of_both = std::ranges::find(kOptionsOfBoth, name) != kOptionsOfBoth.end();
+    if (option->count() == 0 || is_of_both || (option->get_group() == kSceneGroup) == is_scene) continue;
+    return fmt::format("{} is for {}, and the file is a {}", name, is_scene ? "documents" : "scenes",
+                       is_scene ? "scene" : "document");
+  }
+  return std::nullopt;
+}
+
+ExitCode render_scene(const CLI::App& arguments, RenderOptions& options) {
+  if (options.device == Device::Cpu) return bad_usage("scenes are drawn with --device gpu only");
+  if (options.view_name == "sphere") return bad_usage("--view sphere is for documents, and the file is a scene");
+  for (const render::SceneViewEntry& entry : render::scene_view_entries()) {
+    if (options.view_name == entry.word) options.scene.look.view = entry.view;
+  }
+  PictureSize size{512, 512};
+  if (!options.size.empty()) {
+    const auto typed = read_picture_size(options.size);
+    if (!typed) return bad_usage(fmt::format("--size takes WIDTHxHEIGHT, got '{}'", options.size));
+    size = *typed;
+  }
+  render::SceneDisplay display;
+  if (arguments.count("--gamma") > 0) display.gamma = options.view.gamma;
+  if (arguments.count("--exposure") > 0) display.exposure = options.view.exposure;
+  return render_scene(options.model.file, options.scene, size, display, options.output);
+}
+
+/// A document's picture is square.
+std::optional<std::string> read_document_options(RenderOptions& options) {
+  if (!options.view_name.empty() && options.view_name != "sphere") {
+    return fmt::format("--view {} is for scenes, and the file is a document", options.view_name);
+  }
+  if (options.size.empty()) return std::nullopt;
+  const auto size = read_picture_size(options.size);
+  if (!size || size->width != size->height) {
+    return fmt::format("--size takes a width, which is the height too, got '{}'", options.size);
+  }
+  options.view.size = size->width;
+  return std::nullopt;
+}
+
+ExitCode render_document(const RenderOptions& options) {
   if (const auto fault = render::find_fault(options.view)) {
     print_message(*fault);
     return ExitCode::BadUsage;
@@ -81,11 +140,34 @@ ExitCode render(const RenderOptions& options) {
   return model.exit_code();
 }
 
+ExitCode render(const CLI::App& arguments, RenderOptions& options) {
+  const bool is_scene = is_scene_file(options.model.file);
+  if (const auto fault = misplaced_option(arguments, is_scene)) return bad_usage(*fault);
+  if (is_scene) return render_scene(arguments, options);
+  if (const auto fault = read_document_options(options)) return bad_usage(*fault);
+  return render_document(options);
+}
+
+std::string view_help() {
+  std::string help = "what to draw: sphere (of a document); of a scene";
+  for (const render::SceneViewEntry& entry : render::scene_view_entries()) {
+    help += fmt::format("\n{}: {}", entry.word, entry.meaning);
+  }
+  return help;
+}
+
+std::vector<std::string> view_names() {
+  std::vector<std::string> names{"sphere"};
+  for (const render::SceneViewEntry& entry : render::scene_view_entries()) names.emplace_back(entry.word);
+  return names;
+}
+
 }  // namespace
 
 Subcommand add_render(CLI::App& program) {
   const auto options = std::make_shared<RenderOptions>();
-  CLI::App* const arguments = program.add_subcommand("render", "Draw a lit sphere made of the BRDF");
+  CLI::App* const arguments =
+      program.add_subcommand("render", "Draw a lit sphere made of the BRDF, or a scene (.json)");
   add_model_options(*arguments, options->model);
   arguments->add_option("-o,--output", options->output, "the PNG file to write, - for standard output")
       ->type_name("OUT.png")
@@ -94,14 +176,18 @@ Subcommand add_render(CLI::App& program) {
   arguments->add_option("--device", options->device, "gpu (through EGL) or cpu")
       ->transform(CLI::CheckedTransformer(devices).description(""))
       ->type_name("DEVICE");
-  arguments->add_option("--view", options->view_name, "what to draw: sphere")->check(CLI::IsMember({"sphere"}));
+  arguments->add_option("--view", options->view_name, view_help())
+      ->check(CLI::IsMember(view_names()).description(""))
+      ->type_name("VIEW");
   render::SphereView& view = options->view;
-  arguments->add_option("--size", view.size, "width and height in pixels")->capture_default_str();
+  arguments->add_option("--size", options->size, "pixels (256); of a scene WIDTHxHEIGHT or one number (512)")
+      ->type_name("SIZE");
   arguments->add_option("--theta", view.theta, "degrees between light and view axis")->capture_default_str();
   arguments->add_option("--phi", view.phi, "degrees of the light around the view axis")->capture_default_str();
-  arguments->add_option("--gamma", view.gamma, "display gamma")->capture_default_str();
-  arguments->add_option("--exposure", view.exposure, "stops")->capture_default_str();
-  return {arguments, [options] { return render(*options); }};
+  arguments->add_option("--gamma", view.gamma, "display gamma (of a scene 2.2)")->capture_default_str();
+  arguments->add_option("--exposure", view.exposure, "stops (of a scene 0)")->capture_default_str();
+  add_scene_options(*arguments, options->scene);
+  return {arguments, [arguments, options] { return render(*arguments, *options); }};
 }
 
 }  // namespace texbrdf::cli

@@ -6,7 +6,7 @@
 
 namespace texbrdf::cli {
 
-ExitCode report_render_fault(const render::RenderFault& fault) {
+ExitCode report_render_fault(const render::RenderFault& fault, std::string_view advice) {
   print_message(fault.message);
   switch (fault.kind) {
     case render::RenderFaultKind::Request:
@@ -16,7 +16,7 @@ ExitCode report_render_fault(const render::RenderFault& fault) {
     case render::RenderFaultKind::Crash:
     case render::RenderFaultKind::Deadline:
     case render::RenderFaultKind::Protocol:
-      print_message("--device cpu needs no renderer");
+      if (!advice.empty()) print_message(advice);
       return ExitCode::NoRenderer;
   }
   return ExitCode::NoRenderer;

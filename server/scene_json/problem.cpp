@@ -8,11 +8,15 @@
 
 namespace texbrdf::scene_json {
 
-std::string describe(const Problem& problem, std::string_view folder) {
-  std::string_view file = problem.file;
-  if (!folder.empty() && file.starts_with(folder) && file.substr(folder.size()).starts_with('/')) {
-    file.remove_prefix(folder.size() + 1);
+std::string_view path_from(std::string_view path, std::string_view folder) {
+  if (!folder.empty() && path.starts_with(folder) && path.substr(folder.size()).starts_with('/')) {
+    path.remove_prefix(folder.size() + 1);
   }
+  return path;
+}
+
+std::string describe(const Problem& problem, std::string_view folder) {
+  const std::string_view file = path_from(problem.file, folder);
   const std::string where = problem.json_path.empty() ? std::string() : problem.json_path + ": ";
   return printable(fmt::format("{}({}:{}) {}: {}{}", file, problem.line, problem.column,
                                severity_name(problem.severity), where, problem.message));

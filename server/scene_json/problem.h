@@ -22,8 +22,11 @@ struct Problem {
   std::string message;
 };
 
-/// `file(line:column) error: scene[0].data: message`, without a line break; the file by its path from `folder` (real)
-/// where it is below.
+/// The path from `folder` (real) where it is below.
+std::string_view path_from(std::string_view path, std::string_view folder);
+
+/// `file(line:column) error: scene[0].data: message`, without a line break; the file as `path_from`
+/// says it.
 std::string describe(const Problem& problem, std::string_view folder = {});
 
 /// A file that was read.
