@@ -24,7 +24,6 @@ uniform int trace_view;
 uniform int trace_max_steps;
 uniform float trace_max_distance;
 uniform float trace_threshold;
-uniform float trace_pixel;
 uniform float trace_depth;
 uniform vec3 trace_background;
 uniform vec3 trace_ambient;
@@ -102,7 +101,6 @@ trace_Hit trace_march(vec3 direction) {
     hit.t += walked;
     if (hit.t > trace_max_distance) return hit;
   }
-  hit.met = hit.met || found.x < hit.t * trace_pixel;
   if (hit.met) hit.t += clamp(found.x, -trace_threshold, trace_threshold);
   hit.leaf = found.y;
   return hit;

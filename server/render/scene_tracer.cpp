@@ -81,7 +81,6 @@ void set_camera(const Uniforms& uniforms, const scene::Camera& camera, const Sce
   uniforms.set("trace_corner", static_cast<float>(tile.x),
                static_cast<float>(tile.picture_height - tile.y - tile.height));
   uniforms.set("trace_size", static_cast<float>(width), static_cast<float>(height));
-  uniforms.set("trace_pixel", 2 * std::tan(camera.field_of_view * std::numbers::pi / 360) / height);
   uniforms.set("trace_depth", glm::distance(scene::to_vector(camera.position), scene::to_vector(camera.target)));
 }
 
