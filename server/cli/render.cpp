@@ -169,6 +169,7 @@ Subcommand add_render(CLI::App& program) {
   CLI::App* const arguments =
       program.add_subcommand("render", "Draw a lit sphere made of the BRDF, or a scene (.json)");
   add_model_options(*arguments, options->model);
+  arguments->get_option("FILE")->description("a LaTeX document, - for standard input, or a scene (.json)");
   arguments->add_option("-o,--output", options->output, "the PNG file to write, - for standard output")
       ->type_name("OUT.png")
       ->required();

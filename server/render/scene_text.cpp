@@ -37,8 +37,8 @@ uniform vec2 trace_display;
 out vec4 trace_value;
 )";
 
-// J. C. Hart, "Sphere tracing", The Visual Computer 12, 1996. A ray that runs out of steps has met what fills its
-// pixel.
+// J. C. Hart, "Sphere tracing", The Visual Computer 12, 1996. A ray that runs out of steps has met nothing. Normals by
+// four values at the corners of a tetrahedron: iquilezles.org/articles/normalsSDF.
 constexpr std::string_view kMarch = R"(
 struct trace_Hit {
   float t;
@@ -113,6 +113,10 @@ vec3 trace_gradient(vec3 place, float h) {
 }
 )";
 
+// Soft shadows: S. Aaltonen, "GPU-based clay simulation and ray-tracing tech in Claybook", GDC 2018, in the words of
+// iquilezles.org/articles/rmshadows. Occlusion: A. Evans, "Fast approximations for global illumination on dynamic
+// scenes", SIGGRAPH 2006 courses. The frame of ambient directions: J. R. Frisvad, "Building an orthonormal basis from a
+// 3D unit vector without normalization", Journal of Graphics Tools 16, 2012.
 constexpr std::string_view kLight = R"(
 float trace_seen(vec3 place, vec3 direction, float reach) {
 #ifdef TRACE_SHADOWS
@@ -161,6 +165,14 @@ bool trace_is_fine(vec3 value) {
 
 const int trace_ambient_count = 8;
 
+vec3 trace_ambient_direction(vec3 n, int i) {
+  float part = (float(i) + trace_ambient_jitter.x) / float(trace_ambient_count);
+  float turn = 2.3999632 * float(i) + 6.2831853 * trace_ambient_jitter.y;
+  float a = 1.0 / max(1.0 + n.z, 1e-6);
+  vec3 x = vec3(1.0 - a * n.x * n.x, -a * n.x * n.y, -n.x);
+  return sqrt(part) * (cos(turn) * x + sin(turn) * cross(n, x)) + sqrt(1.0 - part) * n;
+}
+
 vec3 trace_lit(int material, vec3 place, vec3 normal, vec3 view, float slope) {
   vec3 n = normalize(normal + max(0.001 - dot(normal, view), 0.0) * view);
   vec3 x = vec3(n.z, 0.0, -n.x);
@@ -181,9 +193,7 @@ vec3 trace_lit(int material, vec3 place, vec3 normal, vec3 view, float slope) {
       strength = trace_light_colours[i] / (at.w > 0.0 ? away * away : 1.0);
       if (at.w > 0.0) reach = away;
     } else {
-      float part = (float(i - trace_light_count) + trace_ambient_jitter.x) / float(trace_ambient_count);
-      float turn = 2.3999632 * float(i - trace_light_count) + 6.2831853 * trace_ambient_jitter.y;
-      light = sqrt(part) * (cos(turn) * x + sin(turn) * y) + sqrt(1.0 - part) * n;
+      light = trace_ambient_direction(n, i - trace_light_count);
       strength = trace_ambient * (3.1415927 * open / float(trace_ambient_count));
     }
     float cosine = dot(n, light);
