@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/keys.h"
+
 namespace texbrdf::scene_json {
 namespace {
 
@@ -153,12 +155,12 @@ std::vector<scene::KeyBinding> read_keys(FileReader& reader, JsonId id) {
   if (!reader.expect(id, JsonKind::Object)) return keys;
   for (const JsonId each : reader[id].elements) {
     scene::KeyBinding binding{reader[each].key, {}, {}};
-    const bool is_name = !binding.key.empty() && std::ranges::all_of(binding.key, [](char c) {
-      return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-    });
-    if (!is_name)
+    if (!scene::is_key_name(binding.key)) {
+      const std::vector<std::string> names(scene::key_names().begin(), scene::key_names().end());
       reader.fail_key(id, reader[each],
-                      fmt::format("`{}` is no key: keys are written as `I`, `LEFT`, `KP_ADD`", binding.key));
+                      fmt::format("`{}` is no key: keys are written as `I`, `LEFT`, `KP_ADD`{}", binding.key,
+                                  suggestion(binding.key, names)));
+    }
     ObjectReader object(reader, each);
     vector_member(reader, object, "velocity", binding.velocity);
     vector_member(reader, object, "turning", binding.turning);

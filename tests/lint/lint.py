@@ -31,6 +31,7 @@ RESTRICTED_HEADERS = [
     (re.compile(r"nlohmann/"), ("server/lsp/", "server/scene_json/")),
     (re.compile(r"CLI/"), ("server/cli/",)),
     (re.compile(r"boost/"), ("server/web/",)),
+    (re.compile(r"GLFW/"), ("server/window/",)),
     (re.compile(r"(epoxy|EGL|GL|glslang|SPIRV)/"), ("server/render/",)),
     (re.compile(r"(thread|condition_variable|future|stop_token|fstream|iostream|filesystem|unistd\.h)$"),
      ("server/", "tests/")),

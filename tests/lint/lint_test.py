@@ -17,6 +17,7 @@ CASES = [
     ("compiler/ir/a.cpp", "#include <thread>\n", "thread belongs to"),
     ("server/features/a.cpp", "#include <nlohmann/json.hpp>\n", "belongs to"),
     ("server/cli/a.cpp", "#include <epoxy/gl.h>\n", "belongs to"),
+    ("server/cli/a.cpp", "#include <GLFW/glfw3.h>\n", "belongs to"),
     ("compiler/ir/a.h", "// no guard\n", "#pragma once"),
     ("compiler/ir/CamelCase.cpp", "\n", "snake_case"),
     ("compiler/ir/a.cpp", "\n" * 801, "longer than 800"),
