@@ -14,8 +14,8 @@
 namespace texbrdf::cli {
 namespace {
 
-constexpr std::array kSubcommands = {add_check, add_compile, add_eval, add_render,        add_print,
-                                     add_plot,  add_ast,     add_lsp,  add_render_worker, add_diagnostics_page};
+constexpr std::array kSubcommands = {add_check, add_compile, add_eval, add_render,        add_print,           add_plot,
+                                     add_view,  add_ast,     add_lsp,  add_render_worker, add_diagnostics_page};
 
 ExitCode run_parsed(CLI::App& program, const std::vector<Subcommand>& subcommands, int argc, const char* const* argv) {
   try {

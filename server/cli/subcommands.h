@@ -19,6 +19,7 @@ Subcommand add_compile(CLI::App& program);
 Subcommand add_eval(CLI::App& program);
 Subcommand add_render(CLI::App& program);
 Subcommand add_plot(CLI::App& program);
+Subcommand add_view(CLI::App& program);
 Subcommand add_print(CLI::App& program);
 Subcommand add_ast(CLI::App& program);
 Subcommand add_lsp(CLI::App& program);
