@@ -11,11 +11,14 @@
 #include "cli/files.h"
 #include "cli/messages.h"
 #include "cli/model.h"
+#include "cli/object_options.h"
 #include "cli/picture_size.h"
 #include "cli/render_fault.h"
 #include "cli/render_scene.h"
+#include "cli/sample_progress.h"
 #include "cli/subcommands.h"
 #include "preview/cpu_frame.h"
+#include "preview/object_picture.h"
 #include "preview/shader_model.h"
 #include "render/png.h"
 #include "render/worker_client.h"
@@ -33,37 +36,81 @@ struct RenderOptions {
   std::string size;
   render::SphereView view;
   SceneOptions scene;
+  ObjectOptions object;
 };
 
 using PictureOrExit = std::variant<render::Picture, ExitCode>;
 
 /// A picture is worth more patience on the command line than in an editor.
 constexpr std::chrono::seconds kDeadline{60};
+/// Between two reports of how far a picture is.
+constexpr uint32_t kSamplesAtOnce = 8;
+
+/// The model of a device, or the exit code after telling why there is none.
+template <typename T>
+std::variant<T, ExitCode> or_exit(Result<T> model) {
+  if (model) return *std::move(model);
+  print_message(model.error());
+  return ExitCode::DocumentHasErrors;
+}
+
+render::RenderWorker make_worker() {
+  render::WorkerOptions options;
+  options.deadline = kDeadline;
+  return render::RenderWorker(std::move(options));
+}
 
 PictureOrExit draw_on_cpu(const ir::Program& program, const render::SphereView& view) {
-  const Result<preview::CpuModel> model = preview::cpu_model(program);
-  if (!model) {
-    print_message(model.error());
-    return ExitCode::DocumentHasErrors;
-  }
+  const auto model = or_exit(preview::cpu_model(program));
+  if (const auto* failed = std::get_if<ExitCode>(&model)) return *failed;
   render::SphereCache cache;
-  return preview::draw_on_cpu(*model, view, cache);
+  return preview::draw_on_cpu(std::get<preview::CpuModel>(model), view, cache);
 }
 
 PictureOrExit draw_on_gpu(const ir::Program& program, const render::SphereView& view) {
-  const Result<render::ShaderModel> model = preview::shader_model(program);
-  if (!model) {
-    print_message(model.error());
-    return ExitCode::DocumentHasErrors;
-  }
-  render::WorkerOptions worker_options;
-  worker_options.deadline = kDeadline;
-  render::RenderWorker worker(std::move(worker_options));
-  auto drawn = worker.draw(*model, view);
+  const auto model = or_exit(preview::shader_model(program));
+  if (const auto* failed = std::get_if<ExitCode>(&model)) return *failed;
+  render::RenderWorker worker = make_worker();
+  auto drawn = worker.draw(std::get<render::ShaderModel>(model), view);
   if (const auto* fault = std::get_if<render::RenderFault>(&drawn)) {
     return report_render_fault(*fault);
   }
   return std::get<render::GpuPicture>(std::move(drawn)).picture;
+}
+
+/// An object, or the sphere in the light of an environment.
+PictureOrExit draw_object(preview::ObjectScene scene, uint32_t samples, const preview::TableEvaluator& evaluate) {
+  preview::ObjectPicture picture(std::move(scene));
+  SampleProgress progress(picture.is_exact() ? 0 : samples);
+  while (picture.samples() < samples) {
+    const uint32_t count = std::min(kSamplesAtOnce, samples - picture.samples());
+    if (const auto fault = picture.add(count, evaluate, [] { return true; })) return report_render_fault(*fault);
+    if (picture.is_exact()) break;
+    progress.show(picture.samples());
+  }
+  return picture.picture();
+}
+
+PictureOrExit draw_object(const RenderOptions& options, const ir::Program& program) {
+  auto scene = object_scene(options.object, options.view);
+  if (const auto* failed = std::get_if<ExitCode>(&scene)) return *failed;
+  const auto draw = [&](const preview::TableEvaluator& evaluate) {
+    return draw_object(std::get<preview::ObjectScene>(std::move(scene)), options.object.samples, evaluate);
+  };
+  if (options.device == Device::Cpu) {
+    const auto model = or_exit(preview::cpu_model(program));
+    if (const auto* failed = std::get_if<ExitCode>(&model)) return *failed;
+    return draw(preview::evaluator_on_cpu(std::get<preview::CpuModel>(model)));
+  }
+  const auto model = or_exit(preview::shader_model(program));
+  if (const auto* failed = std::get_if<ExitCode>(&model)) return *failed;
+  render::RenderWorker worker = make_worker();
+  return draw(preview::evaluator_on_gpu(worker, std::get<render::ShaderModel>(model)));
+}
+
+PictureOrExit draw(const RenderOptions& options, const ir::Program& program) {
+  if (!is_plain_sphere(options.object)) return draw_object(options, program);
+  return options.device == Device::Gpu ? draw_on_gpu(program, options.view) : draw_on_cpu(program, options.view);
 }
 
 ExitCode bad_usage(std::string_view message) {
@@ -126,8 +173,7 @@ ExitCode render_document(const RenderOptions& options) {
   if (const auto* failed = std::get_if<ExitCode>(&loaded)) return *failed;
   const Model& model = std::get<Model>(loaded);
 
-  const PictureOrExit drawn = options.device == Device::Gpu ? draw_on_gpu(model.program, options.view)
-                                                            : draw_on_cpu(model.program, options.view);
+  const PictureOrExit drawn = draw(options, model.program);
   if (const auto* failed = std::get_if<ExitCode>(&drawn)) return *failed;
   const render::Picture& picture = std::get<render::Picture>(drawn);
 
@@ -167,7 +213,7 @@ std::vector<std::string> view_names() {
 Subcommand add_render(CLI::App& program) {
   const auto options = std::make_shared<RenderOptions>();
   CLI::App* const arguments =
-      program.add_subcommand("render", "Draw a lit sphere made of the BRDF, or a scene (.json)");
+      program.add_subcommand("render", "Draw a lit sphere or another object made of the BRDF, or a scene (.json)");
   add_model_options(*arguments, options->model);
   arguments->get_option("FILE")->description("a LaTeX document, - for standard input, or a scene (.json)");
   arguments->add_option("-o,--output", options->output, "the PNG file to write, - for standard output")
@@ -187,6 +233,7 @@ Subcommand add_render(CLI::App& program) {
   arguments->add_option("--phi", view.phi, "degrees of the light around the view axis")->capture_default_str();
   arguments->add_option("--gamma", view.gamma, "display gamma (of a scene 2.2)")->capture_default_str();
   arguments->add_option("--exposure", view.exposure, "stops (of a scene 0)")->capture_default_str();
+  add_object_options(*arguments, options->object);
   add_scene_options(*arguments, options->scene);
   return {arguments, [arguments, options] { return render(*arguments, *options); }};
 }

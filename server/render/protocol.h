@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/channel.h"
+#include "render/geometry_table.h"
 #include "render/shader_model.h"
 #include "render/tone_map.h"
 
@@ -26,10 +27,9 @@ struct DrawRequest {
   SphereView view;
 };
 
-/// Geometries as fifteen lists: L, V, N, X, Y by component.
 struct EvaluateRequest {
   ShaderModel model;
-  std::array<std::vector<float>, 15> geometry;
+  GeometryTable geometry;
 };
 
 struct DrawAnswer {

@@ -19,10 +19,6 @@ struct Point {
   double y;  ///< up
 };
 
-double radius_of(const SphereView& view) {
-  return kRadius * view.size * view.zoom;
-}
-
 Point centre_of(const SphereView& view, uint32_t row, uint32_t column) {
   const double middle = view.size / 2.0;
   return {column + 0.5 - middle, middle - row - 0.5};
@@ -102,6 +98,10 @@ std::optional<std::string> find_fault(const SphereView& view) {
   return std::nullopt;
 }
 
+double sphere_radius(const SphereView& view) {
+  return kRadius * view.size * view.zoom;
+}
+
 bool same_geometry(const SphereView& a, const SphereView& b) {
   return a.size == b.size && a.theta == b.theta && a.phi == b.phi && a.zoom == b.zoom;
 }
@@ -122,18 +122,18 @@ std::optional<SurfacePoint> surface_point(const SphereView& view, PicturePlace p
 
 PicturePlace sample_place(const SphereView& view, uint32_t pixel) {
   const Point centre = centre_of(view, pixel / view.size, pixel % view.size);
-  const Point sampled = sample_of(centre, radius_of(view)).point;
+  const Point sampled = sample_of(centre, sphere_radius(view)).point;
   return {0.5 + sampled.x / view.size, 0.5 - sampled.y / view.size};
 }
 
-SphereGeometry make_sphere_geometry(const SphereView& view) {
+SphereGeometry make_sphere_geometry(const SphereView& view, SpherePoints points) {
   SphereGeometry geometry;
   geometry.size = view.size;
   geometry.light = in_single_precision(light_direction(view));
   geometry.alpha.assign(std::size_t{view.size} * view.size, 0);
   reserve(geometry, geometry.alpha.size());
   const auto& [light_x, light_y, light_z] = geometry.light;
-  const double radius = radius_of(view);
+  const double radius = sphere_radius(view);
   for (uint32_t row = 0; row < view.size; ++row) {
     for (uint32_t column = 0; column < view.size; ++column) {
       const uint32_t pixel = row * view.size + column;
@@ -144,7 +144,7 @@ SphereGeometry make_sphere_geometry(const SphereView& view) {
       const double y = sample.point.y / radius;
       const double z = depth(x, y);
       const double cosine = x * light_x + y * light_y + z * light_z;
-      if (cosine <= 0 || z <= 0) continue;
+      if ((cosine <= 0 && points == SpherePoints::Lit) || z <= 0) continue;
       geometry.pixels.push_back(pixel);
       geometry.cosines.push_back(static_cast<float>(cosine));
       append(geometry, surface_at(x, y, z));

@@ -25,6 +25,9 @@ struct SphereView {
 /// Why the view cannot be drawn, in words, or nothing.
 std::optional<std::string> find_fault(const SphereView& view);
 
+/// Of the sphere in pixels.
+double sphere_radius(const SphereView& view);
+
 /// A place of a picture in parts of its width, from the top left.
 struct PicturePlace {
   double x = 0;
@@ -57,7 +60,7 @@ struct SphereGeometry {
   std::array<float, 3> view{0, 0, 1};
   std::vector<uint8_t> alpha;    ///< coverage of every pixel of the picture
   std::vector<uint32_t> pixels;  ///< of each point: its pixel, row by row from the top left
-  std::vector<float> cosines;    ///< N·L, always positive
+  std::vector<float> cosines;    ///< N·L
   Vectors normals;
   Vectors tangents;
   Vectors bitangents;
@@ -68,8 +71,11 @@ struct SphereGeometry {
 /// Whether two views show the same points: what is done with their values does not matter.
 bool same_geometry(const SphereView& a, const SphereView& b);
 
-/// The view has no fault.
-SphereGeometry make_sphere_geometry(const SphereView& view);
+/// Which points of the sphere.
+enum class SpherePoints : uint8_t { Lit, All };
+
+/// The view has no fault. Cosines of points that are not lit are 0 or less.
+SphereGeometry make_sphere_geometry(const SphereView& view, SpherePoints points = SpherePoints::Lit);
 
 /// Keeps the geometry of the view drawn last.
 class SphereCache {

@@ -93,6 +93,7 @@ struct RenderWorker::State {
   std::variant<Message, RenderFault> ask(const Message& request, Clock::time_point deadline);
   template <typename Answer>
   std::variant<Answer, RenderFault> answer(const Message& request);
+  std::variant<std::vector<float>, RenderFault> evaluate(const EvaluateRequest& request);
 };
 
 RenderFault RenderWorker::State::note(RenderFault fault) {
@@ -194,6 +195,14 @@ std::variant<Answer, RenderFault> RenderWorker::State::answer(const Message& req
   return note({fault_kind(refusal->kind), refusal->message});
 }
 
+std::variant<std::vector<float>, RenderFault> RenderWorker::State::evaluate(const EvaluateRequest& request) {
+  auto received = answer<EvaluateAnswer>(encode(request));
+  if (const auto* fault = std::get_if<RenderFault>(&received)) return *fault;
+  std::vector<float>& values = std::get<EvaluateAnswer>(received).values;
+  if (values.size() == request.geometry[0].size() * 3) return std::move(values);
+  return lose_child({ChannelFaultKind::Garbage, "another number of values"}, "evaluating");
+}
+
 RenderWorker::RenderWorker(WorkerOptions options) : state_(std::make_unique<State>(std::move(options))) {}
 RenderWorker::RenderWorker(RenderWorker&&) noexcept = default;
 RenderWorker& RenderWorker::operator=(RenderWorker&&) noexcept = default;
@@ -224,12 +233,9 @@ std::variant<std::vector<std::array<float, 3>>, RenderFault> RenderWorker::evalu
   values.reserve(geometries.size());
   while (!geometries.empty()) {
     const std::size_t count = std::min(kEvaluateStep, geometries.size());
-    auto answer = state_->answer<EvaluateAnswer>(encode(evaluate_request(model, geometries.first(count))));
-    if (const auto* fault = std::get_if<RenderFault>(&answer)) return *fault;
-    const std::vector<float>& numbers = std::get<EvaluateAnswer>(answer).values;
-    if (numbers.size() != count * 3) {
-      return state_->lose_child({ChannelFaultKind::Garbage, "another number of values"}, "evaluating");
-    }
+    const auto evaluated = state_->evaluate(evaluate_request(model, geometries.first(count)));
+    if (const auto* fault = std::get_if<RenderFault>(&evaluated)) return *fault;
+    const std::vector<float>& numbers = std::get<std::vector<float>>(evaluated);
     for (std::size_t i = 0; i < count; ++i) values.push_back({numbers[i * 3], numbers[i * 3 + 1], numbers[i * 3 + 2]});
     geometries = geometries.subspan(count);
   }
@@ -248,6 +254,11 @@ std::variant<SceneAnswer, RenderFault> RenderWorker::trace(const SceneRequest& r
     }
   }
   return answer;
+}
+
+std::variant<std::vector<float>, RenderFault> RenderWorker::evaluate(const ShaderModel& model,
+                                                                     const GeometryTable& geometries) {
+  return state_->evaluate({model, geometries});
 }
 
 std::vector<RenderFault> RenderWorker::take_faults() {
