@@ -31,7 +31,8 @@ struct Choice {
 
 template <typename Number>
 Choice choose(std::span<const Number> sums, double random) {
-  const auto found = std::ranges::upper_bound(sums, static_cast<Number>(random));
+  const auto below_all = std::min(static_cast<Number>(random), std::nextafter(Number{1}, Number{0}));
+  const auto found = std::ranges::upper_bound(sums, below_all);
   const auto place = std::min<std::size_t>(static_cast<std::size_t>(found - sums.begin()), sums.size() - 1);
   const double before = place > 0 ? static_cast<double>(sums[place - 1]) : 0;
   const double rest = (random - before) / (static_cast<double>(sums[place]) - before);

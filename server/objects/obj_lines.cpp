@@ -7,7 +7,9 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "objects/obj_file.h"
 
@@ -41,18 +43,24 @@ struct Reference {
 
 class LineChecker {
  public:
-  std::optional<Failure> check(std::string_view line) {
-    ++line_;
-    const std::string_view keyword = take_word(line);
-    if (keyword == "v") return check_numbers(line, keyword, 0, 3);
-    if (keyword == "vt") return check_numbers(line, keyword, 1, 1);
-    if (keyword == "vn") return check_numbers(line, keyword, 2, 3);
-    if (keyword == "f") return check_face(line);
+  /// One line, or several that a backslash at their ends joins.
+  std::optional<Failure> check(std::string_view joined, std::size_t number) {
+    line_ = number;
+    const std::string_view line = joined.substr(0, joined.find('#'));
+    std::string_view rest = line;
+    const std::string_view keyword = take_word(rest);
+    const auto kind = std::ranges::find(kKeywords, keyword);
+    if (kind == kKeywords.end()) return std::nullopt;
+    const auto place = static_cast<std::size_t>(kind - kKeywords.begin());
+    auto wrong = place < kKinds.size() ? check_numbers(rest, keyword, place) : check_face(rest);
+    if (wrong) return wrong;
+    if (place == kKinds.size()) kept_.face_lines.push_back(static_cast<uint32_t>(number));
+    kept_.text.append(line).append("\n");
     return std::nullopt;
   }
 
   /// Faces may come before what they name.
-  std::optional<Failure> finish() {
+  Result<ObjLines> finish() && {
     if (triangles_ == 0) return Failure{"there is no face in it"};
     for (std::size_t kind = 0; kind < kKinds.size(); ++kind) {
       const auto& [place, line] = largest_[kind];
@@ -61,19 +69,20 @@ class LineChecker {
         return fault(fmt::format("{} {} does not exist: there are {}", kKinds[kind], place, counts_[kind]));
       }
     }
-    return std::nullopt;
+    return std::move(kept_);
   }
 
  private:
   static constexpr std::array<std::string_view, 3> kKinds{"vertex", "texture coordinate", "normal"};
+  static constexpr std::array<std::size_t, 3> kLeastNumbers{3, 1, 3};
+  static constexpr std::array<std::string_view, 4> kKeywords{"v", "vt", "vn", "f"};
 
   Failure fault(std::string_view what) const { return Failure{fmt::format("line {}: {}", line_, what)}; }
 
-  std::optional<Failure> check_numbers(std::string_view line, std::string_view keyword, std::size_t kind,
-                                       std::size_t least) {
+  std::optional<Failure> check_numbers(std::string_view line, std::string_view keyword, std::size_t kind) {
+    const std::size_t least = kLeastNumbers[kind];
     std::size_t count = 0;
     for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
-      if (word.front() == '#') break;
       if (const auto wrong = number_fault(word)) return fault(*wrong);
       ++count;
     }
@@ -84,25 +93,35 @@ class LineChecker {
     return std::nullopt;
   }
 
+  /// What is longer, or has a larger exponent, tinyobjloader may read as another number, or as none.
   static std::optional<std::string> number_fault(std::string_view word) {
+    if (word.size() > kLongestNumber) return fmt::format("'{}' is too long for a number", shown(word));
     std::string_view digits = word;
-    if (digits.starts_with('+')) digits.remove_prefix(1);
+    if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);
     double number = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    const bool is_number = end == digits.data() + digits.size() && error != std::errc::invalid_argument;
-    if (!is_number) return fmt::format("'{}' is no number", shown(word));
-    const bool is_tiny = error == std::errc::result_out_of_range && digits.find("e-") != std::string_view::npos;
-    if (is_tiny) return std::nullopt;
-    if (error != std::errc{} || !(std::abs(number) <= kLargest)) {
-      return fmt::format("'{}' is not between -1e18 and 1e18", shown(word));
+    if (end != digits.data() + digits.size() || error == std::errc::invalid_argument) {
+      return fmt::format("'{}' is no number", shown(word));
+    }
+    if (error != std::errc{} || !(std::abs(number) <= kLargest) || has_large_exponent(digits)) {
+      return fmt::format("'{}' is not between -1e18 and 1e18, or needs too large an exponent", shown(word));
     }
     return std::nullopt;
+  }
+
+  static bool has_large_exponent(std::string_view digits) {
+    const std::size_t sign = digits.find_first_of("eE");
+    if (sign == std::string_view::npos) return false;
+    std::string_view exponent = digits.substr(sign + 1);
+    if (exponent.starts_with('+')) exponent.remove_prefix(1);
+    int value = 0;
+    const auto [end, error] = std::from_chars(exponent.data(), exponent.data() + exponent.size(), value);
+    return error != std::errc{} || std::abs(value) > kLargestExponent;
   }
 
   std::optional<Failure> check_face(std::string_view line) {
     std::size_t corners = 0;
     for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
-      if (word.front() == '#') break;
       if (auto wrong = check_corner(word)) return wrong;
       ++corners;
     }
@@ -147,26 +166,47 @@ class LineChecker {
   }
 
   static constexpr double kLargest = 1e18;
+  static constexpr std::size_t kLongestNumber = 60;
+  static constexpr int kLargestExponent = 300;
 
+  ObjLines kept_;
   std::size_t line_ = 0;
   std::array<std::size_t, 3> counts_{};
   std::array<Reference, 3> largest_{};
   std::size_t triangles_ = 0;
 };
 
+/// Takes the first line off a text; it ends at LF, CRLF or CR.
+std::string_view take_line(std::string_view& text) {
+  const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+  const std::string_view line = text.substr(0, end);
+  const std::size_t line_end = text.substr(end).starts_with("\r\n") ? 2 : 1;
+  text.remove_prefix(std::min(end + line_end, text.size()));
+  return line;
+}
+
 }  // namespace
 
-std::optional<Failure> find_obj_fault(std::string_view text) {
+Result<ObjLines> check_obj_lines(std::string_view text) {
   if (text.size() > kMaxObjBytes) return Failure{fmt::format("it is larger than {} MiB", kMaxObjBytes >> 20)};
   if (text.find('\0') != std::string_view::npos) return Failure{"it is no text"};
   LineChecker checker;
+  std::string joined;
+  std::size_t number = 0;
+  std::size_t first = 1;
   while (!text.empty()) {
-    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
-    if (auto wrong = checker.check(text.substr(0, end))) return wrong;
-    const std::size_t line_end = text.substr(end).starts_with("\r\n") ? 2 : 1;
-    text.remove_prefix(std::min(end + line_end, text.size()));
+    const std::string_view line = take_line(text);
+    ++number;
+    if (line.ends_with('\\') && !text.empty()) {
+      joined.append(line.substr(0, line.size() - 1)).append(" ");
+      continue;
+    }
+    auto wrong = joined.empty() ? checker.check(line, number) : checker.check(joined.append(line), first);
+    if (wrong) return *std::move(wrong);
+    joined.clear();
+    first = number + 1;
   }
-  return checker.finish();
+  return std::move(checker).finish();
 }
 
 }  // namespace texbrdf::objects

@@ -55,9 +55,12 @@ class EarCutter {
     const uint32_t c = left_[(tip + 1) % count];
     if (!(turn(normal_, places_[a], places_[b], places_[c]) > 0)) return false;
     return std::ranges::none_of(left_, [&](uint32_t other) {
-      return other != a && other != b && other != c && is_inside(places_[other], a, b, c);
+      return !is_at(other, a) && !is_at(other, b) && !is_at(other, c) && is_inside(places_[other], a, b, c);
     });
   }
+
+  /// A polygon with a hole is one whose way there and back has the same corners twice.
+  bool is_at(uint32_t corner, uint32_t other) const { return places_[corner] == places_[other]; }
 
   bool is_inside(const glm::dvec3& place, uint32_t a, uint32_t b, uint32_t c) const {
     return turn(normal_, places_[a], places_[b], place) >= 0 && turn(normal_, places_[b], places_[c], place) >= 0 &&

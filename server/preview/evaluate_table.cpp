@@ -31,7 +31,8 @@ TableEvaluator evaluator_on_cpu(const CpuModel& model) {
 }
 
 TableEvaluator evaluator_on_gpu(render::RenderWorker& worker, const render::ShaderModel& model) {
-  return [&worker, &model](const render::GeometryTable& geometries) { return worker.evaluate(model, geometries); };
+  return
+      [&worker, &model](const render::GeometryTable& geometries) { return worker.evaluate_table(model, geometries); };
 }
 
 }  // namespace texbrdf::preview

@@ -33,7 +33,7 @@ struct ObjectPicture::Batch {
   const std::function<bool()>& is_wanted;
   render::GeometryTable table;
   std::vector<uint32_t> pixels;
-  std::vector<glm::vec3> weights;
+  std::vector<glm::dvec3> weights;
   std::optional<render::RenderFault> fault;
   bool is_over = false;
 
@@ -44,7 +44,7 @@ struct ObjectPicture::Batch {
     append(table, 9, frame.tangent);
     append(table, 12, frame.bitangent);
     pixels.push_back(pixel);
-    weights.emplace_back(weight);
+    weights.push_back(weight);
     if (pixels.size() == kBatchPoints) flush();
   }
 
@@ -69,7 +69,7 @@ struct ObjectPicture::Batch {
         std::optional<render::BadPixel>& worst = picture.bad_[pixels[i]];
         worst = worst ? std::min(*worst, *bad) : *bad;
       } else {
-        picture.sums_[pixels[i]] += glm::vec3(value[0], value[1], value[2]) * weights[i];
+        picture.sums_[pixels[i]] += glm::dvec3(value[0], value[1], value[2]) * weights[i];
       }
     }
   }
@@ -78,7 +78,7 @@ struct ObjectPicture::Batch {
 ObjectPicture::ObjectPicture(ObjectScene scene)
     : scene_(std::move(scene)),
       surface_(scene_.object, scene_.view),
-      sums_(surface_.coverage().alpha.size(), glm::vec3(0)),
+      sums_(surface_.coverage().alpha.size(), glm::dvec3(0)),
       bad_(sums_.size()) {}
 
 std::optional<render::RenderFault> ObjectPicture::add(uint32_t count, const TableEvaluator& evaluate,
@@ -117,7 +117,8 @@ void ObjectPicture::add_environment(Batch& batch, uint32_t index) {
     const uint32_t count = coverage.begins[pixel + 1] - coverage.begins[pixel];
     if (count == 0) continue;
     const lighting::SampleSequence sequence(pixel);
-    const uint32_t ray = (index + sequence.shift() / 2) % count;
+    // Each ray is drawn with both kinds of samples, which come in turn.
+    const uint32_t ray = (index / 2 + sequence.shift() / 2) % count;
     const objects::SurfaceFrame frame = surface_.frame(coverage.begins[pixel] + ray);
     const lighting::LightSample sample =
         lighting::sample_light(*scene_.environment, to_world * frame.normal, sequence, index);
@@ -130,7 +131,7 @@ std::vector<glm::dvec3> ObjectPicture::radiance() const {
   const double scale = is_exact() || samples_ == 0 ? 1 : 1.0 / samples_;
   std::vector<glm::dvec3> pixels;
   pixels.reserve(sums_.size());
-  for (const glm::vec3& sum : sums_) pixels.push_back(glm::dvec3(sum) * scale);
+  for (const glm::dvec3& sum : sums_) pixels.push_back(sum * scale);
   return pixels;
 }
 

@@ -44,7 +44,7 @@ class ObjectPicture {
 
   ObjectScene scene_;
   ObjectSurface surface_;
-  std::vector<glm::vec3> sums_;                       // of each pixel
+  std::vector<glm::dvec3> sums_;                      // of each pixel
   std::vector<std::optional<render::BadPixel>> bad_;  // of each pixel: the worst of its values
   uint32_t samples_ = 0;
 };

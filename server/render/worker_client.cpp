@@ -256,8 +256,8 @@ std::variant<SceneAnswer, RenderFault> RenderWorker::trace(const SceneRequest& r
   return answer;
 }
 
-std::variant<std::vector<float>, RenderFault> RenderWorker::evaluate(const ShaderModel& model,
-                                                                     const GeometryTable& geometries) {
+std::variant<std::vector<float>, RenderFault> RenderWorker::evaluate_table(const ShaderModel& model,
+                                                                           const GeometryTable& geometries) {
   return state_->evaluate({model, geometries});
 }
 

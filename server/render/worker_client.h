@@ -65,7 +65,8 @@ class RenderWorker {
   /// One sample of each pixel of a tile of a scene.
   std::variant<SceneAnswer, RenderFault> trace(const SceneRequest& request);
   /// The same for geometries as lists (EvaluateRequest), in one request: red, green and blue of each.
-  std::variant<std::vector<float>, RenderFault> evaluate(const ShaderModel& model, const GeometryTable& geometries);
+  std::variant<std::vector<float>, RenderFault> evaluate_table(const ShaderModel& model,
+                                                               const GeometryTable& geometries);
   /// All faults since the last call, also those found between requests (an idle worker that died): for a log.
   std::vector<RenderFault> take_faults();
   /// What draws, for logs: GL_RENDERER and GL_VERSION. Empty before the first answer.

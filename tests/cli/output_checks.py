@@ -122,7 +122,7 @@ def png_300(data):
 
 
 def png_shows_a_sphere(data):
-    """Transparent in the corner, opaque in the middle, with more than a few colours."""
+    """Or another object: transparent in the corner, opaque in the middle, with more than a few colours."""
     width, height, colour_type = _png_size(data)
     assert colour_type == 6
     pixels = _rgba_rows(data, width, height)
