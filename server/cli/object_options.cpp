@@ -3,42 +3,15 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <string_view>
 #include <utility>
 
 #include "cli/files.h"
 #include "cli/messages.h"
-#include "objects/obj_file.h"
-#include "objects/teapot.h"
 
 namespace texbrdf::cli {
 namespace {
 
 constexpr uint32_t kMaxSamples = 65'536;
-/// The teapot from a little above, its spout turned to the viewer.
-constexpr objects::Orbit kTeapotOrbit{-30, 20};
-
-using Mesh = std::shared_ptr<const objects::Mesh>;
-
-Result<Mesh> fitted(Result<objects::Mesh> mesh) {
-  if (!mesh) return Failure{mesh.error()};
-  fit_into_unit_sphere(*mesh);
-  return Mesh(std::make_shared<const objects::Mesh>(*std::move(mesh)));
-}
-
-Result<Mesh> read_mesh(const std::string& path) {
-  const Result<std::string> bytes = read_input(path);
-  if (!bytes) return Failure{bytes.error()};
-  Result<Mesh> mesh = fitted(objects::read_obj(*bytes));
-  return mesh ? std::move(mesh) : Failure{fmt::format("{}: {}", input_name(path), mesh.error())};
-}
-
-Result<Mesh> mesh_of(const std::string& object) {
-  if (object == "sphere") return Mesh();
-  if (object == "teapot") return fitted(objects::make_teapot());
-  if (object.ends_with(".obj")) return read_mesh(object);
-  return Failure{fmt::format("--object takes sphere, teapot or a file FILE.obj, not '{}'", object)};
-}
 
 std::optional<std::string> find_fault(const ObjectOptions& options) {
   for (const auto& angle : {options.yaw, options.pitch}) {
@@ -50,6 +23,20 @@ std::optional<std::string> find_fault(const ObjectOptions& options) {
   return std::nullopt;
 }
 
+Result<preview::ObjectScene> make_scene(const ObjectOptions& options, const render::SphereView& view) {
+  if (const auto fault = find_fault(options)) return Failure{*fault};
+  preview::LightChoice light = options.light;
+  light.sky.elevation = options.sun[0];
+  light.sky.azimuth = options.sun[1];
+  const auto environment = preview::find_environment(light, read_input);
+  if (!environment) return Failure{environment.error()};
+  const auto mesh = preview::find_mesh(options.object, read_input);
+  if (!mesh) return Failure{mesh.error()};
+  const objects::Orbit suits = preview::standard_orbit(options.object);
+  const objects::Orbit orbit{options.yaw.value_or(suits.yaw), options.pitch.value_or(suits.pitch)};
+  return preview::ObjectScene{view, {*mesh, orbit}, *environment};
+}
+
 }  // namespace
 
 void add_object_options(CLI::App& arguments, ObjectOptions& options) {
@@ -58,26 +45,33 @@ void add_object_options(CLI::App& arguments, ObjectOptions& options) {
       ->capture_default_str();
   arguments.add_option("--yaw", options.yaw, "degrees that the object is turned around its upright axis");
   arguments.add_option("--pitch", options.pitch, "degrees that its top is tipped towards the viewer");
+  arguments
+      .add_option(
+          "--light", options.light.light,
+          "what lights it: directional (--theta, --phi), sky, furnace (1 from everywhere) or a Radiance FILE.hdr")
+      ->type_name("LIGHT")
+      ->capture_default_str();
+  arguments
+      .add_option("--sun", options.sun,
+                  "degrees of the sky's sun over the horizon, and from behind the viewer to his right")
+      ->delimiter(',')
+      ->type_name("ELEVATION,AZIMUTH")
+      ->default_str("45,-30");
+  arguments.add_option("--turbidity", options.light.sky.turbidity, "haze of the sky, 2 to 10")->capture_default_str();
+  arguments.add_option("--samples", options.samples, "light directions for each pixel, but for the directional light")
+      ->capture_default_str();
 }
 
 bool is_plain_sphere(const ObjectOptions& options) {
-  return options.object == "sphere" && !options.yaw && !options.pitch && options.light == "directional";
+  return options.object == "sphere" && !options.yaw && !options.pitch && options.light.light == "directional";
 }
 
 std::variant<preview::ObjectScene, ExitCode> object_scene(const ObjectOptions& options,
                                                           const render::SphereView& view) {
-  if (const auto fault = find_fault(options)) {
-    print_message(*fault);
-    return ExitCode::BadUsage;
-  }
-  const Result<Mesh> mesh = mesh_of(options.object);
-  if (!mesh) {
-    print_message(mesh.error());
-    return ExitCode::BadUsage;
-  }
-  const objects::Orbit suits = *mesh ? kTeapotOrbit : objects::Orbit();
-  const objects::Orbit orbit{options.yaw.value_or(suits.yaw), options.pitch.value_or(suits.pitch)};
-  return preview::ObjectScene{view, {*mesh, orbit}, nullptr};
+  Result<preview::ObjectScene> scene = make_scene(options, view);
+  if (scene) return *std::move(scene);
+  print_message(scene.error());
+  return ExitCode::BadUsage;
 }
 
 }  // namespace texbrdf::cli

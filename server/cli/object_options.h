@@ -1,12 +1,14 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <variant>
 
 #include "cli/exit_code.h"
+#include "preview/object_choice.h"
 #include "preview/object_picture.h"
 
 namespace texbrdf::cli {
@@ -14,10 +16,10 @@ namespace texbrdf::cli {
 /// What `render` draws beside the plain sphere, as typed.
 struct ObjectOptions {
   std::string object = "sphere";
-  std::string light = "directional";
-  std::optional<double> yaw;    ///< degrees; else what suits the object
-  std::optional<double> pitch;  ///< degrees
-  double turbidity = 3;
+  preview::LightChoice light;
+  std::array<double, 2> sun{light.sky.elevation, light.sky.azimuth};  ///< degrees
+  std::optional<double> yaw;                                          ///< degrees; else what suits the object
+  std::optional<double> pitch;                                        ///< degrees
   uint32_t samples = 256;
 };
 

@@ -39,7 +39,18 @@ Choice choose(std::span<const Number> sums, double random) {
   return {place, std::clamp(rest, 0.0, std::nextafter(1.0, 0.0))};
 }
 
+/// By its height over the horizon plane, and how far around it is in the picture.
+glm::dvec3 direction_of(double height, double part) {
+  const double around = (part - 0.5) * 2 * kPi;
+  const double radius = std::sqrt(std::max(0.0, 1 - height * height));
+  return {radius * std::sin(around), height, -radius * std::cos(around)};
+}
+
 }  // namespace
+
+glm::dvec3 direction_at(const glm::dvec2& place) {
+  return direction_of(std::cos(kPi * place.y), place.x);
+}
 
 double luminance(const glm::dvec3& colour) {
   return 0.2126 * colour.x + 0.7152 * colour.y + 0.0722 * colour.z;
@@ -88,10 +99,7 @@ glm::dvec3 Environment::sample(const glm::dvec2& random) const {
   const auto number = static_cast<uint32_t>(row.place);
   const double high = height_of_row(number, map_.height);
   const double low = height_of_row(number + 1, map_.height);
-  const double y = high + (low - high) * row.rest;
-  const double around = ((static_cast<double>(column.place) + column.rest) / map_.width - 0.5) * 2 * kPi;
-  const double radius = std::sqrt(std::max(0.0, 1 - y * y));
-  return {radius * std::sin(around), y, -radius * std::cos(around)};
+  return direction_of(high + (low - high) * row.rest, (static_cast<double>(column.place) + column.rest) / map_.width);
 }
 
 }  // namespace texbrdf::lighting

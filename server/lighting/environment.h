@@ -17,6 +17,9 @@ struct EnvironmentMap {
   std::vector<glm::vec3> radiance;  ///< linear red, green, blue of each texel; finite, not negative
 };
 
+/// The unit vector of a place of the picture, in parts of its width and height from the top left.
+glm::dvec3 direction_at(const glm::dvec2& place);
+
 /// Light from all directions: the radiance is the same in all of a texel. Immutable.
 class Environment {
  public:

@@ -131,6 +131,12 @@ def png_shows_a_sphere(data):
     assert len(set(pixels)) > 50
 
 
+def png_has_one_colour(data):
+    """Wherever something is: (51, 102, 153)."""
+    width, height, _ = _png_size(data)
+    assert {pixel[:3] for pixel in _rgba_rows(data, width, height) if pixel[3] > 0} == {(51, 102, 153)}
+
+
 def _rgba_rows(data, width, height):
     position, compressed = 8, b""
     while position < len(data):

@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "objects/obj_file.h"
+#include "lighting/sky.h"
 #include "objects/teapot.h"
 #include "preview/object_picture.h"
 #include "support.h"
@@ -66,6 +66,16 @@ TEST_P(Object, LooksTheSameOnBothDevices) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Agreement, Object, testing::ValuesIn(test::model_names()), test::test_name);
+
+/// All samples of both are at the same places; bad values are left out of neither.
+TEST(Object, LooksTheSameInTheSkyOnBothDevices) {
+  const auto sky = std::make_shared<const lighting::Environment>(lighting::make_sky({}));
+  for (const char* name : {"oren-nayar", "ward", "cook-torrance"}) {
+    const ir::Program program = test::model_program(name);
+    const ObjectScene scene{{.size = 64}, {teapot(), {-30, 20}}, sky};
+    EXPECT_LE(largest_difference(cpu_picture(program, scene, 8), gpu_picture(program, scene, 8)), kTolerance) << name;
+  }
+}
 
 TEST(Object, ASphereWithoutAMeshIsThatOfTheSphereView) {
   const ir::Program program = test::model_program("cook-torrance");
