@@ -13,92 +13,80 @@ namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::infinity();
 
-double join(ObjectKind kind, double a, double b, double k) {
-  switch (kind) {
-    case ObjectKind::Subtraction:
-      return std::max(a, -b);
-    case ObjectKind::Intersection:
-      return std::max(a, b);
-    case ObjectKind::SmoothUnion:
-      return smooth_union(a, b, k);
-    case ObjectKind::SmoothSubtraction:
-      return smooth_intersection(a, -b, k);
-    case ObjectKind::SmoothIntersection:
-      return smooth_intersection(a, b, k);
-    default:
-      return std::min(a, b);
-  }
+double distance_to(const Box& box, const glm::dvec3& place) {
+  return box_distance(place - box.centre(), box.half());
 }
 
 }  // namespace
 
-Distances::Distances(const Scene& scene) : scene_(scene) {
-  for (const Node& node : scene.nodes) frames_.push_back(frame_of(node.transform));
+double Distances::of(uint32_t index, const glm::dvec3& place) const {
+  const PlannedNode& node = plan_.nodes[index];
+  const glm::dvec3 local = node.frame.local(place);
+  if (!node.guard) return node.frame.factor * inside(node, local);
+  const double outside = distance_to(node.guard->box, local);
+  const double value =
+      outside > node.guard->margin ? node.guard->level + outside : guarded(inside(node, local), outside, *node.guard);
+  return node.frame.factor * value;
 }
 
-double Distances::at(const glm::dvec3& place) const {
+double Distances::united(const PlannedNode& node, const glm::dvec3& place) const {
   double least = kNothing;
-  for (const NodeId root : scene_.roots) least = std::min(least, of(root, place));
+  for (const uint32_t child : node.children) least = std::min(least, of(child, place));
   return least;
 }
 
-double Distances::of(NodeId node, const glm::dvec3& place) const {
-  const Frame& frame = frames_[node.value];
-  return frame.factor * inside(scene_.node(node), frame.local(place));
-}
-
-double Distances::united(const Node& node, const glm::dvec3& place) const {
-  double least = kNothing;
-  for (const NodeId child : node.children) least = std::min(least, of(child, place));
-  return least;
-}
-
-double Distances::joined(const Node& node, const glm::dvec3& place) const {
+double Distances::joined(const PlannedNode& node, const glm::dvec3& place) const {
+  const double k = node.data[0];
+  const bool is_subtraction = node.kind == ObjectKind::Subtraction || node.kind == ObjectKind::SmoothSubtraction;
+  const bool is_smooth = node.kind == ObjectKind::SmoothSubtraction || node.kind == ObjectKind::SmoothIntersection;
   double value = of(node.children.front(), place);
   for (std::size_t i = 1; i < node.children.size(); ++i) {
-    value = join(node.kind, value, of(node.children[i], place), node.data[0]);
+    const double other = (is_subtraction ? -1 : 1) * of(node.children[i], place);
+    if (node.kind == ObjectKind::SmoothUnion) {
+      value = smooth_union(value, other, k);
+    } else {
+      value = is_smooth ? smooth_intersection(value, other, k) : std::max(value, other);
+    }
   }
   return value;
 }
 
-/// The copy whose cell the place is in, and the next ones: up to eight.
-double Distances::repeated(const Node& node, const glm::dvec3& place) const {
-  const bool limited = node.kind == ObjectKind::LimitedRepetition;
-  glm::dvec3 spacing(node.data[0], node.data[1], node.data[2]);
-  glm::dvec3 last(kNothing);
-  if (limited) {
-    spacing = glm::dvec3(node.data[0]);
-    last = {node.data[1], node.data[2], node.data[3]};
-  }
-  double least = kNothing;
-  for (int corner = 0; corner < 8; ++corner) {
-    glm::dvec3 q = place;
-    for (int axis = 0; axis < 3; ++axis) {
-      if (spacing[axis] == 0) continue;
-      const double cell = place[axis] / spacing[axis];
-      const double copy = (corner >> axis & 1) != 0 ? std::ceil(cell) : std::floor(cell);
-      q[axis] -= spacing[axis] * std::clamp(copy, -last[axis], last[axis]);
+double Distances::repeated(const PlannedNode& node, const glm::dvec3& place) const {
+  const Repetition& plan = *node.repetition;
+  const glm::dvec3 first = first_copy(plan, place - plan.centre);
+  double least = plan.level + distance_beside(plan, place - plan.centre, first);
+  glm::dvec3 copy;
+  for (copy.z = 0; copy.z < plan.window.z; ++copy.z) {
+    for (copy.y = 0; copy.y < plan.window.y; ++copy.y) {
+      for (copy.x = 0; copy.x < plan.window.x; ++copy.x) {
+        const glm::dvec3 q = place - plan.spacing * (first + copy);
+        const double box = plan.level + box_distance(q - plan.centre, plan.half);
+        if (box < least) least = std::min(least, std::max(box, united(node, q)));
+      }
     }
-    least = std::min(least, united(node, q));
   }
   return least;
 }
 
-double Distances::inside(const Node& node, const glm::dvec3& p) const {
+double Distances::inside(const PlannedNode& node, const glm::dvec3& p) const {
   const auto& d = node.data;
   switch (node.kind) {
     case ObjectKind::InfiniteRepetition:
     case ObjectKind::LimitedRepetition:
       return repeated(node, p);
-    case ObjectKind::Displacement:
-      return united(node, p) + displacement(p, d[0], d[1]);
+    case ObjectKind::Displacement: {
+      const double value = united(node, p);
+      return std::max((value + displacement(p, d[0], d[1])) / node.lipschitz, value - std::abs(d[0]));
+    }
     case ObjectKind::Twist: {
       const glm::dvec2 q = turned({p.z, p.x}, -d[0] * p.y);
-      return united(node, {q.y, p.y, q.x});
+      const double value = twisted_distance(united(node, {q.y, p.y, q.x}), std::abs(d[0]), std::hypot(p.x, p.z));
+      return node.cut ? std::max(value, distance_to(*node.cut, p)) : value;
     }
     case ObjectKind::Bend: {
       const glm::dvec2 q = turned({p.x, p.y}, -d[0] * p.x);
-      return united(node, {q.x, q.y, p.z});
+      const double value = bent_distance(united(node, {q.x, q.y, p.z}), std::abs(d[0]), std::hypot(p.x, p.y));
+      return node.cut ? std::max(value, distance_to(*node.cut, p)) : value;
     }
     case ObjectKind::Symmetry:
       return united(
@@ -116,6 +104,7 @@ double Distances::inside(const Node& node, const glm::dvec3& p) const {
     case ObjectKind::Revolution:
       return united(node, {std::hypot(p.x, p.z) - d[0], p.y, 0});
     case ObjectKind::Union:
+      return united(node, p);
     case ObjectKind::Subtraction:
     case ObjectKind::Intersection:
     case ObjectKind::SmoothUnion:
@@ -124,9 +113,14 @@ double Distances::inside(const Node& node, const glm::dvec3& p) const {
       return joined(node, p);
     case ObjectKind::UserPrimitive:
       return united(node, p);
-    default:  // the primitives
+#define HELPER(name, ...)
+#define DISTANCE_FUNCTION(kind, name, ...) case ObjectKind::kind:
+#include "scene/distance_functions.def"
+#undef DISTANCE_FUNCTION
+#undef HELPER
       return std::min(primitive_distance(node.kind, p, d), united(node, p));
   }
+  throw InternalError("a distance of no object");
 }
 
 }  // namespace texbrdf::scene

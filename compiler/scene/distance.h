@@ -1,32 +1,28 @@
 #pragma once
 
 #include <glm/vec3.hpp>
-#include <vector>
 
-#include "scene/frame.h"
 #include "scene/scene.h"
+#include "scene/tree_plan.h"
 
 namespace texbrdf::scene {
 
-/// The distance function of a scene without a fault, in double. Primitives of users, which are GLSL, are left out: no
-/// number of theirs is known here.
+/// The distance function of a scene without a fault, in double: what its shader says. Primitives of users, which are GLSL,
+/// are left out: no number of theirs is known here.
 class Distances {
  public:
-  /// The scene outlives the object.
-  explicit Distances(const Scene& scene);
+  explicit Distances(const Scene& scene, const PlanOptions& options = {}) : plan_(plan_tree(scene, options)) {}
 
-  double at(const glm::dvec3& place) const;
-  /// In the frame of the object's parent.
-  double of(NodeId node, const glm::dvec3& place) const;
+  double at(const glm::dvec3& place) const { return of(plan_.root, place); }
 
  private:
-  double inside(const Node& node, const glm::dvec3& place) const;
-  double united(const Node& node, const glm::dvec3& place) const;
-  double joined(const Node& node, const glm::dvec3& place) const;
-  double repeated(const Node& node, const glm::dvec3& place) const;
+  double of(uint32_t index, const glm::dvec3& place) const;
+  double inside(const PlannedNode& node, const glm::dvec3& place) const;
+  double united(const PlannedNode& node, const glm::dvec3& place) const;
+  double joined(const PlannedNode& node, const glm::dvec3& place) const;
+  double repeated(const PlannedNode& node, const glm::dvec3& place) const;
 
-  const Scene& scene_;
-  std::vector<Frame> frames_;
+  TreePlan plan_;
 };
 
 }  // namespace texbrdf::scene

@@ -1,5 +1,6 @@
 #include "scene/primitives.h"
 
+#include <algorithm>
 #include <array>
 #include <glm/glm.hpp>
 #include <utility>
@@ -43,6 +44,29 @@ constexpr std::size_t count_numbers(double (*)(glm::dvec3, Numbers...)) {
   return sizeof...(Numbers);
 }
 
+struct PrimitiveEntry {
+  ObjectKind kind;
+  PrimitiveFunction function;
+  double (*evaluate)(const glm::dvec3& place, const Data& data);
+};
+
+constexpr std::array kPrimitives{
+#define HELPER(name, ...)
+#define DISTANCE_FUNCTION(kind, name, ...)                       \
+  PrimitiveEntry{ObjectKind::kind,                               \
+                 {#name, count_numbers(in_double::name)},        \
+                 [](const glm::dvec3& place, const Data& data) { return call(in_double::name, place, data); }},
+#include "scene/distance_functions.def"
+#undef DISTANCE_FUNCTION
+#undef HELPER
+};
+
+const PrimitiveEntry& primitive_entry(ObjectKind kind) {
+  const auto* const found = std::ranges::find(kPrimitives, kind, &PrimitiveEntry::kind);
+  require(found != kPrimitives.end(), "there is no built-in primitive of that kind");
+  return *found;
+}
+
 /// A function of the table as GLSL.
 struct FunctionText {
   std::string_view name;
@@ -72,33 +96,11 @@ bool calls(std::string_view code, std::string_view name) {
 }  // namespace
 
 double primitive_distance(ObjectKind kind, const glm::dvec3& place, const Data& data) {
-  switch (kind) {
-#define HELPER(name, ...)
-#define DISTANCE_FUNCTION(kind, name, ...) \
-  case ObjectKind::kind:                   \
-    return call(in_double::name, place, data);
-#include "scene/distance_functions.def"
-#undef DISTANCE_FUNCTION
-#undef HELPER
-    default:  // operations and primitives of users
-      break;
-  }
-  throw InternalError("primitive_distance of no built-in primitive");
+  return primitive_entry(kind).evaluate(place, data);
 }
 
 PrimitiveFunction primitive_function(ObjectKind kind) {
-  switch (kind) {
-#define HELPER(name, ...)
-#define DISTANCE_FUNCTION(kind, name, ...) \
-  case ObjectKind::kind:                   \
-    return {#name, count_numbers(in_double::name)};
-#include "scene/distance_functions.def"
-#undef DISTANCE_FUNCTION
-#undef HELPER
-    default:
-      break;
-  }
-  throw InternalError("primitive_function of no built-in primitive");
+  return primitive_entry(kind).function;
 }
 
 double length_above(const glm::dvec2& d) {
@@ -113,9 +115,32 @@ double smooth_intersection(double a, double b, double k) {
   return in_double::smooth_intersection(a, b, k);
 }
 
-double distance_beside(const glm::dvec3& place, const glm::dvec3& reach, const glm::dvec3& h,
-                       const glm::dvec3& beside) {
-  return in_double::distance_beside(place, reach, h, beside);
+glm::dvec3 inverse_spacing(const Repetition& plan) {
+  glm::dvec3 inverse(0);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (plan.spacing[axis] > 0) inverse[axis] = 1 / plan.spacing[axis];
+  }
+  return inverse;
+}
+
+glm::dvec3 first_copy(const Repetition& plan, const glm::dvec3& x) {
+  return in_double::first_copy(x, inverse_spacing(plan), plan.last, plan.window);
+}
+
+double distance_beside(const Repetition& plan, const glm::dvec3& x, const glm::dvec3& first) {
+  return in_double::distance_beside(x, first, plan.spacing, inverse_spacing(plan), plan.last, plan.window, plan.half);
+}
+
+double guarded(double value, double outside, const Guard& guard) {
+  return in_double::guarded(value, outside, guard.level, guard.margin);
+}
+
+double twisted_distance(double raw, double k, double radius) {
+  return in_double::twisted_distance(raw, k, radius);
+}
+
+double bent_distance(double raw, double k, double radius) {
+  return in_double::bent_distance(raw, k, radius);
 }
 
 double box_distance(const glm::dvec3& place, const glm::dvec3& half_size) {

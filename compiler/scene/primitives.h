@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "scene/scene.h"
+#include "scene/tree_plan.h"
 
 namespace texbrdf::scene {
 
@@ -16,10 +17,17 @@ double primitive_distance(ObjectKind kind, const glm::dvec3& place, const std::a
 double length_above(const glm::dvec2& d);
 double smooth_union(double a, double b, double k);
 double smooth_intersection(double a, double b, double k);
-double distance_beside(const glm::dvec3& place, const glm::dvec3& reach, const glm::dvec3& h, const glm::dvec3& beside);
+glm::dvec3 first_copy(const Repetition& plan, const glm::dvec3& x);
+double distance_beside(const Repetition& plan, const glm::dvec3& x, const glm::dvec3& first);
+double guarded(double value, double outside, const Guard& guard);
+double twisted_distance(double raw, double k, double radius);
+double bent_distance(double raw, double k, double radius);
 double box_distance(const glm::dvec3& place, const glm::dvec3& half_size);
 glm::dvec2 turned(const glm::dvec2& place, double angle);
 double displacement(const glm::dvec3& place, double amplitude, double frequency);
+
+/// One divided by the spacing, 0 where that is 0.
+glm::dvec3 inverse_spacing(const Repetition& plan);
 
 /// The name of a built-in primitive's function in GLSL, and how many numbers it takes after the place.
 struct PrimitiveFunction {

@@ -147,8 +147,8 @@ class ShaderWriter {
   void write_origins() {
     std::vector<bool> asks;
     for (const Shader& shader : scene_.shaders) asks.push_back(has_word(shader.code, "object_position"));
-    origins_.assign(plan_.nodes.size(), {});
-    frames_above_.assign(plan_.nodes.size(), std::nullopt);
+    origins_.assign(scene_.nodes.size(), {});
+    frames_above_.assign(scene_.nodes.size(), std::nullopt);
     place_node(plan_.root, glm::dmat4x3(1), std::nullopt);
     Cases cases;
     for (const uint32_t leaf : leaves_) {
@@ -174,8 +174,10 @@ class ShaderWriter {
     const PlannedNode& node = plan_.nodes[index];
     const glm::dmat4x3 own = node.dynamic ? glm::dmat4x3(1) : after(to_base, node.frame);
     if (node.dynamic) dynamic = node.dynamic;
-    origins_[index] = own[3];
-    frames_above_[index] = dynamic;
+    if (is_primitive(node.kind)) {
+      origins_[node.leaf] = own[3];
+      frames_above_[node.leaf] = dynamic;
+    }
     for (const uint32_t child : node.children) place_node(child, own, dynamic);
   }
 
@@ -187,7 +189,7 @@ class ShaderWriter {
   std::vector<CodePlace> places_;
   std::vector<std::string> primitive_prefixes_;  // of those that are used
   std::vector<std::string> shader_prefixes_;     // of those that are used
-  std::vector<glm::dvec3> origins_;              // by node of the plan, in the world or the frame of the dynamic object
+  std::vector<glm::dvec3> origins_;              // by node, in the world or the frame of the dynamic object
   std::vector<std::optional<uint32_t>> frames_above_;
 };
 
