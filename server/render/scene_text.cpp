@@ -212,7 +212,8 @@ constexpr std::string_view kSurface = R"(
 vec3 trace_surface(trace_Hit hit, vec3 direction) {
   if (!hit.met) return trace_view == 1 ? vec3(0.0) : trace_background;
   vec3 place = trace_eye + hit.t * direction;
-  vec3 gradient = trace_gradient(place, max(trace_threshold, 0.0002 * hit.t));
+  vec3 far = abs(place);
+  vec3 gradient = trace_gradient(place, max(trace_threshold, 0.0001 * max(far.x, max(far.y, far.z))));
   float slope = length(gradient);
   vec3 normal = slope > 0.0 ? gradient / slope : -direction;
   if (trace_view == 1) return 0.5 + 0.5 * normal;

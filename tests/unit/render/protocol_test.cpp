@@ -4,11 +4,24 @@
 
 #include <random>
 
+#include "render/scene_protocol.h"
+
 namespace texbrdf::render {
 namespace {
 
 ShaderModel model() {
   return {"vec3 brdf()", {{"m", 1, {0.25F, 0, 0}}, {"rho", 3, {1, 2, 3}}}};
+}
+
+SceneRequest scene_request() {
+  SceneRequest request{"vec2 scene_distance()", {}, {}, {64, 32, 1, 2, 3, 4}, {{0.25F, 0.5F}, {0.75F, 0}}};
+  request.state.camera.position = {1, 2, 3};
+  request.state.lights = {scene::DirectionalLight{{1, 0, 0}, {4, 5, 6}}, scene::PointLight{{7, 8, 9}, {1, 2, 3}}};
+  request.state.environment.background = {0.5, 0.25, 0.125};
+  request.state.settings.max_steps = 77;
+  request.state.frames = {1, 2, 3, 4};
+  request.look = {SceneView::Lipschitz, Shadows::Soft, 3, true, 0.5};
+  return request;
 }
 
 std::vector<Message> samples() {
@@ -17,14 +30,20 @@ std::vector<Message> samples() {
   DrawAnswer drawn;
   drawn.picture.image = {2, 1, {1, 2, 3, 4, 5, 6, 7, 8}};
   drawn.picture.bad_pixels[BadPixel::Infinite] = 7;
-  return {
-      encode(Greeting{true, "llvmpipe"}), encode(DrawRequest{model(), {}}),          encode(evaluate), encode(drawn),
-      encode(EvaluateAnswer{{1, 2, 3}}),  encode(Refusal{RefusalKind::Shader, "no"})};
+  return {encode(Greeting{true, "llvmpipe"}),
+          encode(DrawRequest{model(), {}}),
+          encode(evaluate),
+          encode(drawn),
+          encode(EvaluateAnswer{{1, 2, 3}}),
+          encode(Refusal{RefusalKind::Shader, "no"}),
+          encode(scene_request()),
+          encode(SceneAnswer{{1, 2, 3}, 4, true})};
 }
 
 bool any_decodes(const Message& message) {
   return decode<Greeting>(message) || decode<DrawRequest>(message) || decode<EvaluateRequest>(message) ||
-         decode<DrawAnswer>(message) || decode<EvaluateAnswer>(message) || decode<Refusal>(message);
+         decode<DrawAnswer>(message) || decode<EvaluateAnswer>(message) || decode<Refusal>(message) ||
+         decode<SceneRequest>(message) || decode<SceneAnswer>(message);
 }
 
 TEST(Protocol, RequestsSurviveTheTrip) {
@@ -53,6 +72,44 @@ TEST(Protocol, AnswersSurviveTheTrip) {
   EXPECT_EQ(values->values, (std::vector<float>{1, 2, 3}));
 }
 
+TEST(Protocol, ScenesSurviveTheTrip) {
+  const SceneRequest sent = scene_request();
+  const auto request = decode<SceneRequest>(encode(sent));
+  ASSERT_TRUE(request);
+  EXPECT_EQ(request->source, sent.source);
+  EXPECT_EQ(request->look, sent.look);
+  EXPECT_EQ(request->tile, sent.tile);
+  EXPECT_EQ(request->sample.pixel, sent.sample.pixel);
+  EXPECT_EQ(request->sample.ambient, sent.sample.ambient);
+  EXPECT_EQ(request->state.frames, sent.state.frames);
+  EXPECT_EQ(request->state.camera.position, sent.state.camera.position);
+  EXPECT_EQ(request->state.environment.background, sent.state.environment.background);
+  EXPECT_EQ(request->state.settings.max_steps, 77U);
+  ASSERT_EQ(request->state.lights.size(), 2U);
+  EXPECT_EQ(std::get<scene::DirectionalLight>(request->state.lights[0]).colour, (scene::Triple{4, 5, 6}));
+  EXPECT_EQ(std::get<scene::PointLight>(request->state.lights[1]).position, (scene::Triple{7, 8, 9}));
+  const auto answer = decode<SceneAnswer>(encode(SceneAnswer{{1, 2, 3}, 4, true}));
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->values, (std::vector<float>{1, 2, 3}));
+  EXPECT_EQ(answer->milliseconds, 4);
+  EXPECT_TRUE(answer->compiled);
+}
+
+TEST(Protocol, ScenesOutOfRangeAreRefused) {
+  SceneRequest request = scene_request();
+  request.look.view = static_cast<SceneView>(5);
+  EXPECT_FALSE(decode<SceneRequest>(encode(request)));
+  request = scene_request();
+  request.look.shadows = static_cast<Shadows>(3);
+  EXPECT_FALSE(decode<SceneRequest>(encode(request)));
+  request = scene_request();
+  request.sample.pixel[1] = 1;
+  EXPECT_FALSE(decode<SceneRequest>(encode(request)));
+  request = scene_request();
+  request.state.lights.resize(17);
+  EXPECT_FALSE(decode<SceneRequest>(encode(request)));
+}
+
 TEST(Protocol, EverySampleDecodesAsItsKindOnly) {
   for (Message message : samples()) {
     EXPECT_TRUE(any_decodes(message));
@@ -77,8 +134,8 @@ TEST(Protocol, CutOrLengthenedMessagesAreRefused) {
 TEST(Protocol, RandomBytesAreAnsweredWithoutHarm) {
   std::mt19937 random(7);
   for (int round = 0; round < 20'000; ++round) {
-    Message message{static_cast<uint32_t>(random() % 8), {}};
-    message.payload.resize(random() % 80);
+    Message message{static_cast<uint32_t>(random() % 10), {}};
+    message.payload.resize(random() % 400);
     for (uint8_t& byte : message.payload) byte = random() % 4 == 0 ? static_cast<uint8_t>(random()) : uint8_t{0};
     any_decodes(message);
   }
