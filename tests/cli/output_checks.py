@@ -117,6 +117,10 @@ def png_64(data):
     assert _png_size(data)[:2] == (64, 64)
 
 
+def png_80_by_40(data):
+    assert _png_size(data)[:2] == (80, 40)
+
+
 def png_300(data):
     assert _png_size(data)[:2] == (300, 300)
 
