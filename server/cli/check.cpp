@@ -69,7 +69,7 @@ ExitCode check(const CheckOptions& options) {
   std::deque<NamedDocument> documents;  // snapshots must stay where they are
   for (const std::string& path : options.files) {
     if (is_scene_file(path)) {
-      const CheckedScene scene = check_scene(path);
+      const CheckedScene scene = check_scene_and_code(path);
       scenes += scene.report;
       exit_code = std::max(exit_code, scene.exit_code);
       continue;

@@ -4,6 +4,10 @@
 
 #include "cli/messages.h"
 #include "files/file_source.h"
+#include "render/glsl_check.h"
+#include "render/scene_text.h"
+#include "render/shader_complaint.h"
+#include "scene_json/code_mistake.h"
 #include "scene_json/load_scene.h"
 
 namespace texbrdf::cli {
@@ -25,6 +29,25 @@ CheckedScene check_scene(const std::string& path) {
   for (const scene_json::Problem& problem : loaded.problems) checked.report += describe(problem, here) + "\n";
   checked.scene = std::move(loaded.scene);
   if (!checked.scene) checked.exit_code = ExitCode::DocumentHasErrors;
+  return checked;
+}
+
+std::optional<std::string> mistake_in_code(const scene::SceneShader& shader, std::string_view complaint) {
+  const auto found = render::find_complaint(complaint);
+  if (!found) return std::nullopt;
+  return scene_json::describe_code_mistake(shader, found->source, found->line, found->message, files::real_path("."));
+}
+
+CheckedScene check_scene_and_code(const std::string& path) {
+  CheckedScene checked = check_scene(path);
+  if (!checked.scene) return checked;
+  const scene::SceneShader shader = make_scene_shader(*checked.scene);
+  if (shader.places.empty()) return checked;
+  const render::GlslChecker checker;
+  const auto fault = checker.find_fault(render::scene_fragment_text(shader.source, {}));
+  if (!fault) return checked;
+  checked.report += mistake_in_code(shader, *fault).value_or(*fault) + "\n";
+  checked.exit_code = ExitCode::DocumentHasErrors;
   return checked;
 }
 

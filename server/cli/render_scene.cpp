@@ -12,12 +12,9 @@
 #include "cli/messages.h"
 #include "cli/render_fault.h"
 #include "cli/sample_progress.h"
-#include "files/file_source.h"
 #include "render/png.h"
 #include "render/scene_picture.h"
-#include "render/shader_complaint.h"
 #include "scene/scene_shader.h"
-#include "scene_json/problem.h"
 
 namespace texbrdf::cli {
 namespace {
@@ -39,20 +36,9 @@ render::SceneJob scene_job(const scene::Scene& scene, const std::string& source,
           .samples = options.samples};
 }
 
-/// Where in code of a user a shader is wrong, as `check` tells other mistakes; nothing where it is elsewhere.
-std::optional<std::string> mistake_in_code(const render::RenderFault& fault, const scene::SceneShader& shader) {
-  if (fault.kind != render::RenderFaultKind::Shader) return std::nullopt;
-  const auto complaint = render::find_complaint(fault.message);
-  if (!complaint || complaint->source < 1 || complaint->source > shader.places.size()) return std::nullopt;
-  const scene::CodePlace& place = shader.places[complaint->source - 1];
-  const std::string file(scene_json::path_from(place.file, files::real_path(".")));
-  const std::string path = place.path.empty() ? "" : place.path + ": ";
-  if (place.first_line > 0) return fmt::format("{}({}) error: {}{}", file, complaint->line, path, complaint->message);
-  return fmt::format("{} error: {}line {} of the code: {}", file, path, complaint->line, complaint->message);
-}
-
 ExitCode report(const render::RenderFault& fault, const scene::SceneShader& shader) {
-  const auto mistake = mistake_in_code(fault, shader);
+  const auto mistake =
+      fault.kind == render::RenderFaultKind::Shader ? mistake_in_code(shader, fault.message) : std::nullopt;
   if (!mistake) return report_render_fault(fault, "");
   fmt::print(stderr, "{}\n", *mistake);
   return ExitCode::DocumentHasErrors;

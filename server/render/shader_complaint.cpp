@@ -39,8 +39,7 @@ std::optional<ShaderComplaint> read_complaint(std::string_view text) {
 std::optional<ShaderComplaint> find_complaint(std::string_view message) {
   constexpr std::string_view kBefore = "rejects the shader: ";
   const std::size_t at = message.find(kBefore);
-  if (at == std::string_view::npos) return std::nullopt;
-  return read_complaint(message.substr(at + kBefore.size()));
+  return read_complaint(at == std::string_view::npos ? message : message.substr(at + kBefore.size()));
 }
 
 }  // namespace texbrdf::render

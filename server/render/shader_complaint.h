@@ -14,7 +14,7 @@ struct ShaderComplaint {
   std::string message;
 };
 
-/// The first complaint with a place in the message of a RenderFault, or nothing where it has none.
+/// The place and words of what GlslChecker says, or of the message of a RenderFault; nothing where it names no place.
 std::optional<ShaderComplaint> find_complaint(std::string_view message);
 
 }  // namespace texbrdf::render
