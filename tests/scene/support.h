@@ -1,5 +1,6 @@
 #pragma once
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "render/worker_client.h"
+#include "render/support.h"
 #include "scene/scene_shader.h"
 #include "scene_json/load_scene.h"
 
@@ -34,11 +35,22 @@ inline scene::Scene load_example(const std::string& name) {
   return std::move(loaded.scene).value();
 }
 
-/// The scene's shader as a model whose value is the distance and the leaf at L.
-inline render::ShaderModel distance_model(const scene::SceneShader& shader) {
-  return {
-      shader.source + "vec3 brdf(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) { return vec3(scene_distance(L), 0.0); }\n",
-      {}};
+/// A model whose value is distance and leaf at L. The transforms of dynamic objects are constants: evaluation has no
+/// arrays of uniforms.
+inline render::ShaderModel distance_model(const scene::Scene& scene) {
+  std::string source = make_scene_shader(scene).source;
+  const std::vector<float> frames = scene_frames(scene);
+  if (!frames.empty()) {
+    std::string values;
+    for (std::size_t i = 0; i < frames.size(); i += 4) {
+      values += fmt::format("{}vec4({}, {}, {}, {})", i == 0 ? "" : ", ", frames[i], frames[i + 1], frames[i + 2],
+                            frames[i + 3]);
+    }
+    const std::string declared = fmt::format("uniform vec4 scene_frames[{}];", frames.size() / 4);
+    source.replace(source.find(declared), declared.size(),
+                   fmt::format("const vec4 scene_frames[{}] = vec4[]({});", frames.size() / 4, values));
+  }
+  return {source + "vec3 brdf(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) { return vec3(scene_distance(L), 0.0); }\n", {}};
 }
 
 }  // namespace texbrdf::test
