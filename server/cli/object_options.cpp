@@ -58,8 +58,6 @@ void add_object_options(CLI::App& arguments, ObjectOptions& options) {
       ->type_name("ELEVATION,AZIMUTH")
       ->default_str("45,-30");
   arguments.add_option("--turbidity", options.light.sky.turbidity, "haze of the sky, 2 to 10")->capture_default_str();
-  arguments.add_option("--samples", options.samples, "light directions for each pixel, but for the directional light")
-      ->capture_default_str();
 }
 
 bool is_plain_sphere(const ObjectOptions& options) {

@@ -34,6 +34,7 @@ struct RenderOptions {
   Device device = Device::Gpu;
   std::string view_name;
   std::string size;
+  std::optional<uint32_t> samples;
   render::SphereView view;
   SceneOptions scene;
   ObjectOptions object;
@@ -119,7 +120,8 @@ ExitCode bad_usage(std::string_view message) {
 }
 
 /// Options for documents and for scenes stand side by side; one that does not fit the file is a mistake.
-constexpr std::array kOptionsOfBoth{"FILE", "--output", "--device", "--view", "--size", "--gamma", "--exposure"};
+constexpr std::array kOptionsOfBoth{"FILE",   "--output",  "--device", "--view",
+                                    "--size", "--samples", "--gamma",  "--exposure"};
 
 std::optional<std::string> misplaced_option(const CLI::App& arguments, bool is_scene) {
   for (const CLI::Option* option : arguments.get_options()) {
@@ -144,6 +146,7 @@ ExitCode render_scene(const CLI::App& arguments, RenderOptions& options) {
     if (!typed) return bad_usage(fmt::format("--size takes WIDTHxHEIGHT, got '{}'", options.size));
     size = *typed;
   }
+  options.scene.samples = options.samples.value_or(options.scene.samples);
   render::SceneDisplay display;
   if (arguments.count("--gamma") > 0) display.gamma = options.view.gamma;
   if (arguments.count("--exposure") > 0) display.exposure = options.view.exposure;
@@ -155,6 +158,7 @@ std::optional<std::string> read_document_options(RenderOptions& options) {
   if (!options.view_name.empty() && options.view_name != "sphere") {
     return fmt::format("--view {} is for scenes, and the file is a document", options.view_name);
   }
+  options.object.samples = options.samples.value_or(options.object.samples);
   if (options.size.empty()) return std::nullopt;
   const auto size = read_picture_size(options.size);
   if (!size || size->width != size->height) {
@@ -229,6 +233,7 @@ Subcommand add_render(CLI::App& program) {
   render::SphereView& view = options->view;
   arguments->add_option("--size", options->size, "pixels (256); of a scene WIDTHxHEIGHT or one number (512)")
       ->type_name("SIZE");
+  arguments->add_option("--samples", options->samples, "of each pixel (1), or light directions in --light (256)");
   arguments->add_option("--theta", view.theta, "degrees between light and view axis")->capture_default_str();
   arguments->add_option("--phi", view.phi, "degrees of the light around the view axis")->capture_default_str();
   arguments->add_option("--gamma", view.gamma, "display gamma (of a scene 2.2)")->capture_default_str();

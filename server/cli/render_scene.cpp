@@ -65,7 +65,6 @@ void add_scene_options(CLI::App& arguments, SceneOptions& options) {
   const auto add = [&](const char* name, auto& value, const char* text) {
     return arguments.add_option(name, value, text)->group(kSceneGroup);
   };
-  add("--samples", options.samples, "of each pixel")->capture_default_str();
   add("--shadows", options.look.shadows, "of lit materials: none, hard (the default) or soft")
       ->transform(CLI::CheckedTransformer(shadows).description(""))
       ->type_name("SHADOWS");
