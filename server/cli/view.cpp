@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "cli/check_scene.h"
 #include "cli/messages.h"
 #include "cli/subcommands.h"
 #include "files/file_source.h"
@@ -33,11 +34,19 @@ constexpr double kFrame = 1.0 / 60;
 /// What can be drawn: a scene and its shader.
 struct Drawable {
   viewing::Viewer viewer;
-  std::string source;
+  scene::SceneShader shader;
 };
 
 render::SceneState state_of(const scene::Scene& scene) {
   return {scene.camera, scene.lights, scene.environment, scene.settings, scene::scene_frames(scene)};
+}
+
+/// Prints what a compiler of GLSL says, as a mistake of the scene's code where it is one.
+std::string tell_fault(const std::string& message, const scene::SceneShader& shader) {
+  const auto mistake = mistake_in_code(shader, message);
+  if (mistake) fmt::print(stderr, "{}\n", *mistake);
+  if (!mistake) print_message(message);
+  return mistake.value_or(message);
 }
 
 void print_problems(const scene_json::LoadedScene& loaded) {
@@ -54,7 +63,11 @@ class SceneWindow {
   ExitCode run() {
     Result<render::SceneTracer> tracer = render::SceneTracer::create(gl_, checker_);
     if (!tracer) return fail(tracer.error(), ExitCode::NoRenderer);
-    if (const auto fault = draw(*tracer)) return fail(*fault, ExitCode::DocumentHasErrors);
+    if (const auto ready = tracer->prepare(drawable_.shader.source, look().effects()); !ready) {
+      tell_fault(ready.error(), drawable_.shader);
+      return ExitCode::DocumentHasErrors;
+    }
+    if (const auto fault = draw(*tracer)) return fail(*fault, ExitCode::NoRenderer);
     while (!drawable_.viewer.wants_to_close()) {
       const window::Events events = window_.take_events(wait_);
       if (events.wants_to_close) break;
@@ -101,15 +114,14 @@ class SceneWindow {
       window_.set_title(title());
       return false;
     }
-    const std::string source = scene::make_scene_shader(*loaded->scene).source;
-    if (const auto prepared = tracer.prepare(source, look().effects()); !prepared) {
-      problem_ = prepared.error();
-      print_message(problem_);
+    scene::SceneShader shader = make_scene_shader(*loaded->scene);
+    if (const auto prepared = tracer.prepare(shader.source, look().effects()); !prepared) {
+      problem_ = tell_fault(prepared.error(), shader);
       window_.set_title(title());
       return false;
     }
     problem_.clear();
-    drawable_.source = source;
+    drawable_.shader = std::move(shader);
     drawable_.viewer.reload(*std::move(loaded->scene));
     return true;
   }
@@ -120,7 +132,7 @@ class SceneWindow {
     if (width == 0 || height == 0) return std::nullopt;
     const render::SceneTile whole{width, height, 0, 0, width, height};
     const render::SceneDisplay display;
-    const auto drawn = tracer.draw(drawable_.source, state_of(drawable_.viewer.scene()), look(), whole,
+    const auto drawn = tracer.draw(drawable_.shader.source, state_of(drawable_.viewer.scene()), look(), whole,
                                    render::scene_sample(0), &display);
     if (!drawn) return drawn.error();
     window_.swap();
@@ -147,7 +159,7 @@ ExitCode view(const ViewOptions& options) {
   std::optional<scene_json::LoadedScene> loaded = files.read_changed();
   print_problems(*loaded);
   if (!loaded->scene) return ExitCode::DocumentHasErrors;
-  Drawable drawable{viewing::Viewer(*loaded->scene), scene::make_scene_shader(*loaded->scene).source};
+  Drawable drawable{viewing::Viewer(*loaded->scene), make_scene_shader(*loaded->scene)};
   for (const render::SceneViewEntry& entry : render::scene_view_entries()) {
     if (entry.word == options.view_name) drawable.viewer.show_view(static_cast<uint32_t>(entry.view));
   }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -71,8 +72,8 @@ struct Window::State {
   Glfw glfw;
   GLFWwindow* window = nullptr;
   Events events;
-  int buttons = 0;  ///< that are down
-  Pointer pointer;
+  int buttons = 0;                 ///< that are down
+  std::optional<Pointer> pointer;  ///< nothing before it was there
   double last_asked = 0;
   bool held_before = false;  ///< when it was asked last
 
@@ -104,16 +105,15 @@ void Window::State::on_key(int code, int action) {
 
 void Window::State::on_button(int action) {
   buttons = std::max(0, buttons + (action == GLFW_PRESS ? 1 : -1));
-  glfw.glfwGetCursorPos(window, &pointer.x, &pointer.y);
 }
 
 void Window::State::on_pointer(Pointer there) {
   int width = 0;
   int height = 0;
   glfw.glfwGetWindowSize(window, &width, &height);
-  if (buttons > 0 && height > 0) {
-    events.drag_right += (there.x - pointer.x) / height;
-    events.drag_down += (there.y - pointer.y) / height;
+  if (buttons > 0 && height > 0 && pointer) {
+    events.drag_right += (there.x - pointer->x) / height;
+    events.drag_down += (there.y - pointer->y) / height;
   }
   pointer = there;
 }

@@ -127,9 +127,8 @@ def png_300(data):
 
 def png_shows_a_sphere(data):
     """Or another object: transparent in the corner, opaque in the middle, with more than a few colours."""
-    width, height, colour_type = _png_size(data)
-    assert colour_type == 6
-    pixels = _rgba_rows(data, width, height)
+    assert _png_size(data)[2] == 6
+    width, height, pixels = png_pixels(data)
     assert pixels[0][3] == 0, "the corner is transparent"
     assert pixels[(height // 2) * width + width // 2][3] == 255, "the middle is opaque"
     assert len(set(pixels)) > 50
@@ -137,11 +136,16 @@ def png_shows_a_sphere(data):
 
 def png_has_one_colour(data):
     """Wherever something is: (51, 102, 153)."""
-    width, height, _ = _png_size(data)
-    assert {pixel[:3] for pixel in _rgba_rows(data, width, height) if pixel[3] > 0} == {(51, 102, 153)}
+    assert {pixel[:3] for pixel in png_pixels(data)[2] if pixel[3] > 0} == {(51, 102, 153)}
 
 
-def _rgba_rows(data, width, height):
+def png_pixels(data):
+    """Width, height and (r, g, b) or (r, g, b, a) of each pixel, row by row."""
+    width, height, colour_type = _png_size(data)
+    return width, height, _pixels(data, width, height, {2: 3, 6: 4}[colour_type])
+
+
+def _pixels(data, width, height, channels):
     position, compressed = 8, b""
     while position < len(data):
         length, kind = struct.unpack(">I4s", data[position:position + 8])
@@ -149,17 +153,20 @@ def _rgba_rows(data, width, height):
         assert zlib.crc32(kind + chunk) == struct.unpack(">I", data[position + 8 + length:position + 12 + length])[0]
         compressed += chunk if kind == b"IDAT" else b""
         position += 12 + length
-    raw, pixels, above = zlib.decompress(compressed), [], bytes(4 * width)
+    stride = channels * width
+    raw, pixels, above = zlib.decompress(compressed), [], bytes(stride)
     for y in range(height):
-        row = _unfilter(raw[y * (4 * width + 1)], bytearray(raw[y * (4 * width + 1) + 1:(y + 1) * (4 * width + 1)]), above)
-        pixels += [tuple(row[x:x + 4]) for x in range(0, 4 * width, 4)]
+        begin = y * (stride + 1)
+        row = _unfilter(raw[begin], bytearray(raw[begin + 1:begin + 1 + stride]), above, channels)
+        pixels += [tuple(row[x:x + channels]) for x in range(0, stride, channels)]
         above = row
     return pixels
 
 
-def _unfilter(filter_, row, above):
+def _unfilter(filter_, row, above, channels):
     for i, value in enumerate(row):
-        left, up, corner = (row[i - 4] if i >= 4 else 0), above[i], (above[i - 4] if i >= 4 else 0)
+        left, corner = (row[i - channels], above[i - channels]) if i >= channels else (0, 0)
+        up = above[i]
         if filter_ == 4:
             guess = left + up - corner
             predicted = min((abs(guess - left), 0, left), (abs(guess - up), 1, up), (abs(guess - corner), 2, corner))[2]
