@@ -101,6 +101,7 @@ void Session::browser_came(ViewerId browser) {
 void Session::browser_went(ViewerId browser) {
   browsers_.remove(browser);
   previews_.close_all_of(browser);
+  scene_previews_.close_all_of(browser);
   log_.debug(fmt::format("browser {} is gone", browser));
 }
 
@@ -112,6 +113,12 @@ void Session::lead_browsers() {
   }
   std::optional<FollowedDocument> followed;
   if (last != nullptr) followed = {last->uri, last->version.value_or(0)};
+  uint64_t touched = last == nullptr ? 0 : last->touched;
+  for (const auto& [uri, scene] : scenes_.all()) {
+    if (scene.touched <= touched) continue;
+    touched = scene.touched;
+    followed = {scene.uri, scene.version.value_or(0)};
+  }
   browsers_.follow(std::move(followed));
 }
 

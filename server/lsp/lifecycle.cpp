@@ -131,7 +131,9 @@ Session::Outcome Session::shutdown(const NoParams&, JsonWriter& result) {
   phase_ = Phase::ShutDown;
   shut_down_ = true;
   previews_.clear();
+  scene_previews_.clear();
   documents_.clear();
+  scenes_.clear();
   closed_.clear();
   outbox_.forget_requests();
   result.null();

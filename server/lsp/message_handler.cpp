@@ -99,6 +99,7 @@ std::optional<ResponseError> MessageHandler::answer(const IncomingMessage& messa
     return std::nullopt;
   }
   if (handler == nullptr) return ResponseError{ErrorCode::MethodNotFound, "no method " + message.method};
+  if (session_.answer_about_scene(message.method, *message.params, result)) return std::nullopt;
   try {
     const bool is_editors = session_.speaker() == kEditor;
     const Progress progress(session_.outbox(), is_editors ? work_done_token(*message.params) : std::string(),

@@ -44,6 +44,9 @@ void Session::bind_methods(Dispatcher& bind) {
   bind.notification("texbrdf/updatePreview", *this, &Session::update_preview);
   bind.notification("texbrdf/closePreview", *this, &Session::close_preview);
   bind.notification("texbrdf/frameShown", *this, &Session::frame_shown);
+  bind.request("texbrdf/openScene", *this, &Session::open_scene);
+  bind.notification("texbrdf/updateScene", *this, &Session::update_scene);
+  bind.notification("texbrdf/sceneInput", *this, &Session::scene_input);
   bind.notification("texbrdf/setParameter", *this, &Session::set_parameter);
   bind.request("texbrdf/parameters", *this, &Session::parameters);
   bind.request("texbrdf/parameterEdit", *this, &Session::parameter_edit);

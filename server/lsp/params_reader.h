@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,6 +44,14 @@ class ParamsReader {
     const json* value =
         required(parent, name, "a natural number", [](const json& v) { return is_integral(v) && integer_of(v) >= 0; });
     return value == nullptr ? 0 : static_cast<uint32_t>(integer_of(*value));
+  }
+  /// Nothing where it is absent or null.
+  std::optional<double> number(json* parent, const char* name) {
+    const json* value = optional(parent, name);
+    if (value == nullptr) return std::nullopt;
+    if (value->is_number()) return value->get<double>();
+    fail(fmt::format("`{}` has to be a number", name));
+    return std::nullopt;
   }
   Position position(json* parent, const char* name) {
     json* value = object(parent, name);

@@ -68,7 +68,8 @@ void write_state(JsonWriter& out, const std::string& uri, const preview::SceneSt
 Session::Outcome Session::open_preview(const OpenPreviewParams& params, JsonWriter& result) {
   OpenDocument* open = documents_.find(params.uri);
   if (open == nullptr) return not_open(params.uri);
-  if (previews_.are_many()) return ResponseError{ErrorCode::RequestFailed, "too many previews are open"};
+  if (previews_.are_many() || scene_previews_.are_many())
+    return ResponseError{ErrorCode::RequestFailed, "too many previews are open"};
   OpenPreview preview{.viewer = kEditor, .uri = params.uri, .root = {}, .view = {}, .values = {}};
   if (auto fault = change_view(params.view, preview)) return ResponseError{ErrorCode::InvalidParams, *std::move(fault)};
   const Snapshot& snapshot = open->document.snapshot();
@@ -91,11 +92,13 @@ std::string Session::update_preview(const UpdatePreviewParams& params) {
 
 std::string Session::close_preview(const PreviewParams& params) {
   previews_.close(params.preview);
+  scene_previews_.close(params.preview, speaker_);
   return {};
 }
 
 std::string Session::frame_shown(const PreviewParams& params) {
   previews_.acknowledge(params.preview);
+  scene_previews_.acknowledge(params.preview, speaker_);
   return {};
 }
 
@@ -141,6 +144,10 @@ Session::Outcome Session::parameter_edit(const ParameterEditParams& params, Json
 
 Session::Outcome Session::roots(const ModelParams& params, JsonWriter& result) {
   OpenDocument* open = documents_.find(params.uri);
+  if (open == nullptr && scenes_.find(params.uri) != nullptr) {
+    result.raw(R"({"root":null,"candidates":[]})");
+    return std::nullopt;
+  }
   if (open == nullptr) return not_open(params.uri);
   const Snapshot& snapshot = open->document.snapshot();
   const std::string root = snapshot.root_name();
@@ -174,6 +181,7 @@ void Session::refresh_previews() {
     ++preview.model;
     show(id, preview);
   }
+  refresh_scene_previews();
 }
 
 void Session::send_frames() {
@@ -189,6 +197,7 @@ void Session::send_frames() {
                   [&](JsonWriter& out) { write_state(out, preview->uri, state); });
     }
   }
+  send_scene_frames();
   for (const std::string& fault : previews_.take_faults()) log_.warning(fault);
 }
 

@@ -8,16 +8,8 @@ namespace {
 using nlohmann::json;
 using Reader = ParamsReader;
 
-std::optional<double> number(Reader& reader, json* parent, const char* name) {
-  const json* value = Reader::optional(parent, name);
-  if (value == nullptr) return std::nullopt;
-  if (value->is_number()) return value->get<double>();
-  reader.fail(fmt::format("`{}` has to be a number", name));
-  return std::nullopt;
-}
-
 double required_number(Reader& reader, json* parent, const char* name) {
-  const std::optional<double> value = number(reader, parent, name);
+  const std::optional<double> value = reader.number(parent, name);
   if (!value) reader.fail(fmt::format("`{}` has to be a number", name));
   return value.value_or(0);
 }
@@ -47,11 +39,11 @@ ViewChange view_change(Reader& reader, json* object) {
   change.height = pixels(reader, object, "height");
   if (Reader::optional(object, "root") != nullptr) change.root = reader.string(object, "root");
   json* light = Reader::optional(object, "light");
-  change.theta = number(reader, light, "theta");
-  change.phi = number(reader, light, "phi");
-  change.zoom = number(reader, object, "zoom");
-  change.exposure = number(reader, object, "exposure");
-  change.gamma = number(reader, object, "gamma");
+  change.theta = reader.number(light, "theta");
+  change.phi = reader.number(light, "phi");
+  change.zoom = reader.number(object, "zoom");
+  change.exposure = reader.number(object, "exposure");
+  change.gamma = reader.number(object, "gamma");
   if (Reader::optional(object, "cosine") != nullptr) change.cosine = reader.boolean(object, "cosine");
   return change;
 }
@@ -132,9 +124,9 @@ std::string read_params(json& params, PlotParams& out) {
   const std::optional<plots::View> view = kind == "cartesian" ? plots::View::ThetaO : plots::view_of(kind);
   if (!view) reader.fail("`kind` has to be cartesian, " + plots::view_words());
   out.view = view.value_or(out.view);
-  out.theta_h = number(reader, object, "thetaH");
-  out.theta_d = number(reader, object, "thetaD");
-  out.phi_d = number(reader, object, "phiD");
+  out.theta_h = reader.number(object, "thetaH");
+  out.theta_d = reader.number(object, "thetaD");
+  out.phi_d = reader.number(object, "phiD");
   return reader.problem();
 }
 

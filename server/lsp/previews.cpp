@@ -55,8 +55,9 @@ void update_exact(OpenPreview& preview, const Snapshot& snapshot) {
 int64_t Previews::open(OpenPreview preview) {
   if (!service_ && wake_) service_ = std::make_unique<preview::PreviewService>(wake_);
   preview.viewer = viewer_;
-  previews_.emplace(++last_id_, std::move(preview));
-  return last_id_;
+  const int64_t id = take_id();
+  previews_.emplace(id, std::move(preview));
+  return id;
 }
 
 OpenPreview* Previews::find(int64_t id) {

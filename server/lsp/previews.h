@@ -53,6 +53,8 @@ class Previews {
   /// So many that another is refused.
   bool are_many() const;
   int64_t open(OpenPreview preview);
+  /// A number that no other preview has.
+  int64_t take_id() { return ++last_id_; }
   /// nullptr where there is none.
   OpenPreview* find(int64_t id);
   /// nullptr where there is none, whosever it is.

@@ -30,6 +30,8 @@
 #include "lsp/previews.h"
 #include "lsp/protocol.h"
 #include "lsp/providers.h"
+#include "lsp/scene_documents.h"
+#include "lsp/scene_previews.h"
 #include "lsp/semantic_tokens.h"
 #include "lsp/settings.h"
 #include "lsp/workspace_folders.h"
@@ -77,12 +79,15 @@ class Session {
   Browsers& browsers() { return browsers_; }
   /// The method belongs to a feature that the client has switched off: it is answered with null.
   bool is_switched_off(std::string_view method) const;
+  /// Answers what is asked of a scene as of any document: there is nothing.
+  bool answer_about_scene(std::string_view method, const nlohmann::json& params, JsonWriter& result);
 
   /// The parameters of the next `publishDiagnostics` to send. Precondition: has_publications().
   void write_next_publication(JsonWriter& out);
   /// After a fault, which may have left anything broken behind but the texts.
   void start_anew() {
     documents_.start_anew();
+    scenes_.start_anew();
     previews_.note_change();
   }
   void publish_anew() { publish_anew(pushes_diagnostics()); }
@@ -94,6 +99,7 @@ class Session {
   /// nothing is drawn, and diagnostics wait for all that is computed for them.
   void connect_wake(std::function<void()> wake) {
     late_findings_.connect(wake);
+    scene_previews_.connect(wake);
     previews_.connect(std::move(wake));
   }
   /// Has what the previews show drawn anew where their documents have changed.
@@ -113,7 +119,7 @@ class Session {
 
   bool has_publications() {
     notice_projects();
-    return !closed_.empty() || !elsewhere_.empty() ||
+    return !closed_.empty() || !elsewhere_.empty() || (shows_scene_problems() && scenes_.has_problems_to_tell(unit_)) ||
            (pushes_diagnostics() && documents_.next_unpublished() != nullptr);
   }
 
@@ -135,6 +141,20 @@ class Session {
   std::string did_close(const DocumentParams& params);
   void apply(const ContentChange& change, OpenDocument& open) const;
   void analyse_visibly(OpenDocument& open);
+
+  // scenes.cpp
+  std::string open_scene_document(const DidOpenParams& params);
+  std::string change_scene_document(const DidChangeParams& params);
+  std::string close_scene_document(const DocumentParams& params);
+  /// Whatever a client can do: it does not ask about files that are not open.
+  bool shows_scene_problems() const { return settings_.shows(Feature::Diagnostics); }
+  static void write_scene_problems(JsonWriter& out, const SceneProblems& problems);
+  Outcome open_scene(const OpenSceneParams& params, JsonWriter& result);
+  std::string update_scene(const UpdateSceneParams& params);
+  std::string scene_input(const SceneInputParams& params);
+  void refresh_scene_previews();
+  void send_scene_frames();
+  void tell_scene_state(int64_t id, const ScenePreview& preview);
 
   // configuration.cpp
   std::string did_change_configuration(const DidChangeConfigurationParams& params);
@@ -252,6 +272,8 @@ class Session {
   ColumnUnit unit_ = ColumnUnit::Utf16;
   features::Markup hover_markup_ = features::Markup::Markdown;
   Documents documents_;
+  SceneDocuments scenes_{documents_.projects()};
+  ScenePreviews scene_previews_;
   std::vector<std::string> closed_;  ///< URIs whose diagnostics are to be taken away
   Traffic traffic_;
   LogLevel first_log_level_;

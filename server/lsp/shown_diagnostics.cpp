@@ -66,6 +66,9 @@ void Session::write_next_publication(JsonWriter& out) {
     out.end_object();
     return;
   }
+  if (const auto problems = shows_scene_problems() ? scenes_.next_problems(unit_) : std::nullopt) {
+    return write_scene_problems(out, *problems);
+  }
   OpenDocument* open = documents_.next_unpublished();
   require(open != nullptr, "nothing to publish");
   open->published = true;
@@ -91,6 +94,8 @@ void Session::publish_anew(bool pushed_before) {
     open.published = false;
     if (pushed_before && !pushes_diagnostics()) closed_.push_back(uri);
   }
+  const std::vector<std::string> told = scenes_.forget_told();
+  if (!shows_scene_problems()) closed_.insert(closed_.end(), told.begin(), told.end());
 }
 
 /// An answer is the last word for a client that cannot be asked to pull again.

@@ -22,9 +22,11 @@ std::string closed_problem(std::string_view uri) {
 std::string Session::did_open(const DidOpenParams& params) {
   if (params.text.size() > SourceText::kMaxBytes) return "the document is too long";
   std::erase(closed_, params.uri);
+  if (is_scene_uri(params.uri)) return open_scene_document(params);
   previews_.note_change();
   OpenDocument& open = documents_.open(params.uri, params.text, params.version, params.language_id);
   open.touched = ++last_touch_;
+  scenes_.note_change(open.document.buffer().path);
   log_.debug(fmt::format("{} is open, {}, version {}, {} bytes", shown_path(params.uri), params.language_id,
                          params.version, params.text.size()));
   if (client_.work_done_progress && params.text.size() >= kLargeDocumentBytes) analyse_visibly(open);
@@ -32,12 +34,14 @@ std::string Session::did_open(const DidOpenParams& params) {
 }
 
 std::string Session::did_change(const DidChangeParams& params) {
+  if (scenes_.find(params.uri) != nullptr) return change_scene_document(params);
   OpenDocument* open = documents_.find(params.uri);
   if (open == nullptr) return closed_problem(params.uri);
   for (const ContentChange& change : params.changes) apply(change, *open);
   open->version = params.version;
   open->published = false;
   open->touched = ++last_touch_;
+  scenes_.note_change(open->document.buffer().path);
   previews_.note_change();
   return {};
 }
@@ -58,11 +62,17 @@ void Session::apply(const ContentChange& change, OpenDocument& open) const {
 }
 
 std::string Session::did_save(const DocumentParams& params) {
-  return documents_.find(params.uri) == nullptr ? closed_problem(params.uri) : std::string{};
+  const bool is_open = documents_.find(params.uri) != nullptr || scenes_.find(params.uri) != nullptr;
+  return is_open ? std::string{} : closed_problem(params.uri);
 }
 
 std::string Session::did_close(const DocumentParams& params) {
-  if (!documents_.close(params.uri)) return closed_problem(params.uri);
+  if (scenes_.find(params.uri) != nullptr) return close_scene_document(params);
+  OpenDocument* const open = documents_.find(params.uri);
+  if (open == nullptr) return closed_problem(params.uri);
+  const std::string path = open->document.buffer().path;
+  documents_.close(params.uri);
+  scenes_.note_change(path);
   if (pushes_diagnostics()) closed_.push_back(params.uri);
   previews_.close_all(params.uri);
   late_findings_.forget(params.uri);

@@ -27,6 +27,9 @@ void Session::watch_files() {
       options.begin_object();
       options.member("globPattern", "**/*.tex");
       options.end_object();
+      options.begin_object();
+      options.member("globPattern", "**/*.{scene,model,material,shader,primitive}.json");
+      options.end_object();
       options.end_array();
     });
   });
@@ -34,6 +37,7 @@ void Session::watch_files() {
 
 std::string Session::did_change_watched_files(const NoParams&) {
   documents_.projects().disk_changed();
+  scenes_.disk_changed();
   return {};
 }
 

@@ -8,6 +8,20 @@
 
 namespace texbrdf::lsp {
 
+int severity_number(Severity severity) {
+  switch (severity) {
+    case Severity::Error:
+      return 1;
+    case Severity::Warning:
+      return 2;
+    case Severity::Information:
+      return 3;
+    case Severity::Hint:
+      return 4;
+  }
+  return 1;
+}
+
 void write_position(JsonWriter& out, Position position) {
   out.begin_object();
   out.member("line", position.line);
@@ -53,20 +67,6 @@ void write_uri(JsonWriter& out, std::string_view key, const Positions& positions
   } else {
     out.member(key, own);
   }
-}
-
-int severity_number(Severity severity) {
-  switch (severity) {
-    case Severity::Error:
-      return 1;
-    case Severity::Warning:
-      return 2;
-    case Severity::Information:
-      return 3;
-    case Severity::Hint:
-      return 4;
-  }
-  return 1;
 }
 
 void write_related(JsonWriter& out, Positions& positions, std::string_view uri,

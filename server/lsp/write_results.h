@@ -17,6 +17,8 @@ namespace texbrdf::lsp {
 
 /// Results of features as the protocol's JSON.
 
+/// As the protocol counts them.
+int severity_number(Severity severity);
 void write_position(JsonWriter& out, Position position);
 void write_range(JsonWriter& out, std::string_view key, Range range);
 

@@ -19,6 +19,11 @@ std::string FileTable::shown(const std::string& path, const JsonFile& from) {
   return files::is_below(path, folder) ? path.substr(folder.size() + 1) : path;
 }
 
+std::string_view FileTable::why_not(const std::string& path) const {
+  const bool is_outside = !path.empty() && !source_.may_read(path);
+  return is_outside ? "is not in a folder of the workspace" : "cannot be read";
+}
+
 void FileTable::report(const Origin* from, const std::string& path, std::string message) {
   if (from != nullptr) {
     problems_.add(*from->file, from->id, std::move(message));
@@ -35,7 +40,7 @@ const JsonFile* FileTable::open(const std::string& path, const Origin* from) {
   }
   const std::optional<SourceText> read = text(path);
   if (!read) {
-    report(from, path, fmt::format("the file {} cannot be read", from == nullptr ? path : shown(path, *from->file)));
+    report(from, path, fmt::format("the file {} {}", from == nullptr ? path : shown(path, *from->file), why_not(path)));
     return nullptr;
   }
   std::unique_ptr<JsonFile>& entry = files_[path];

@@ -28,6 +28,8 @@ class FileTable final : public files::FileSource {
   static std::string resolve(const JsonFile& file, std::string_view path);
   /// The path as it is told about in messages of `from`.
   static std::string shown(const std::string& path, const JsonFile& from);
+  /// "cannot be read", of what has no text.
+  std::string_view why_not(const std::string& path) const;
   /// All that was asked for.
   std::vector<std::string> paths() const;
 

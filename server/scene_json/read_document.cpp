@@ -42,7 +42,7 @@ std::optional<scene::ShaderId> PartReader::read_document(const std::string& path
     return std::nullopt;
   };
   const std::optional<SourceText> text = table_.text(path);
-  if (!text) return fail(fmt::format("the document {} cannot be read", FileTable::shown(path, *where.file)));
+  if (!text) return fail(fmt::format("the document {} {}", FileTable::shown(path, *where.file), table_.why_not(path)));
   const std::optional<std::string> canonical = root.empty() ? std::string() : canonical_name(root);
   if (!canonical) return fail(fmt::format("`root` takes a name, got `{}`", root));
   if (scene_.shaders.size() >= scene::kMaxShaders)

@@ -73,7 +73,7 @@ json expanded(const std::string& text) {
 
 bool is_notification(std::string_view method) {
   constexpr std::array kOfPreviews = {"texbrdf/updatePreview", "texbrdf/closePreview", "texbrdf/frameShown",
-                                      "texbrdf/setParameter"};
+                                      "texbrdf/updateScene",   "texbrdf/sceneInput",   "texbrdf/setParameter"};
   return method == "initialized" || method == "exit" || method.starts_with("$/") ||
          std::ranges::find(kOfPreviews, method) != kOfPreviews.end() || method.starts_with("textDocument/did") ||
          method.starts_with("workspace/did") || method.starts_with("notify/");

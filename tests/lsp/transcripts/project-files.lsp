@@ -17,7 +17,9 @@ client {"capabilities": {"workspace": {"didChangeWatchedFiles": {"dynamicRegistr
          {
            "id": "workspace/didChangeWatchedFiles",
            "method": "workspace/didChangeWatchedFiles",
-           "registerOptions": {"watchers":[{"globPattern":"**/*.tex"}]}
+           "registerOptions": {
+             "watchers": [{"globPattern":"**/*.tex"},{"globPattern":"**/*.{scene,model,material,shader,primitive}.json"}]
+           }
          }
        ]
      }
