@@ -1,5 +1,6 @@
 // Which documents are ours.
 import * as vscode from 'vscode';
+import { isSceneFile, scenePattern } from './scene_files';
 
 const schemes = ['file', 'untitled'];
 const alwaysOurs = ['latex', 'tex'];
@@ -10,12 +11,17 @@ function languages(): string[] {
   return markdown ? [...alwaysOurs, 'markdown'] : alwaysOurs;
 }
 
-export function documentSelector(): { scheme: string; language: string }[] {
-  return schemes.flatMap((scheme) => languages().map((language) => ({ scheme, language })));
+/** Of the server: LaTeX, perhaps Markdown, and scenes. */
+export function documentSelector(): ({ scheme: string; language: string } | { scheme: string; pattern: string })[] {
+  return schemes.flatMap((scheme) => [...languages().map((language) => ({ scheme, language })), { scheme, pattern: scenePattern }]);
 }
 
 export function isOurs(document: vscode.TextDocument): boolean {
   return vscode.languages.match(documentSelector(), document) > 0;
+}
+
+export function isScene(document: vscode.TextDocument): boolean {
+  return isSceneFile(document.uri.path);
 }
 
 /** Where no text has the focus, but a pane or the walkthrough, the one that had it last. */

@@ -2,7 +2,7 @@
 import { spawn } from 'node:child_process';
 import * as path from 'node:path';
 import * as vscode from 'vscode';
-import { activeDocument } from './documents';
+import { activeDocument, isScene } from './documents';
 import { exportKinds, noRenderer, pictureSize, sizeHint, usualSize } from './export_kinds';
 import type { ExportKind } from './export_kinds';
 import { standardLook } from './preview/standard_look';
@@ -12,7 +12,7 @@ import { wordsOf } from './words_of';
 export function exportCommand(server: ServerProcess): vscode.Disposable {
   return vscode.commands.registerCommand('texbrdf.export', async () => {
     const document = activeDocument();
-    if (document === undefined) return;
+    if (document === undefined || isScene(document)) return;
     const kind = await vscode.window.showQuickPick(exportKinds, { title: 'Export as' });
     if (kind === undefined) return;
     const size = kind.isPicture ? await askForSize() : usualSize;

@@ -4,7 +4,7 @@ import { codeAddress, codeSource, shownCode } from './code_address';
 import { linkCode } from './code_links';
 import type { CodeDocuments } from './code_links';
 import { Debounce } from './debounce';
-import { activeDocument } from './documents';
+import { activeDocument, isScene } from './documents';
 import type { Api, Place, Target } from './protocol';
 import { pickRoot, rootsOf } from './roots';
 import type { ServerProcess } from './server_process';
@@ -111,7 +111,7 @@ export function showGeneratedCode(server: ServerProcess, api: Api): vscode.Dispo
 
 async function show(server: ServerProcess, api: Api): Promise<void> {
   const document = activeDocument();
-  if (document === undefined) return;
+  if (document === undefined || isScene(document)) return;
   const target = await pickTarget();
   if (target === undefined) return;
   const uri = document.uri.toString();

@@ -1,5 +1,10 @@
 // The extensions of the protocol that `texbrdf lsp` speaks (docs/lsp.md). No other file names a method.
 import type { Range, WorkspaceEdit } from 'vscode-languageserver-protocol';
+import type { OpenSceneParams, OpenSceneResult, SceneInputParams, SceneKeys, UpdateSceneParams } from './scene_protocol';
+import type { Plot, PlotParams, Surface } from './plot_protocol';
+
+export type * from './plot_protocol';
+export type * from './scene_protocol';
 
 export interface Light {
   /** Degrees from the view axis. */
@@ -65,6 +70,10 @@ export interface FrameParams extends Size {
   badPixels: BadPixels;
   /** False where the document has errors: the picture is the last good one. */
   current: boolean;
+  /** Of a scene. */
+  view?: string;
+  /** Of each pixel of a scene. */
+  samples?: number;
 }
 
 export interface PreviewStateParams {
@@ -73,6 +82,8 @@ export interface PreviewStateParams {
   version: number;
   state: 'good' | 'errors' | 'none';
   message: string;
+  /** Of a scene. */
+  keys?: SceneKeys[];
 }
 
 export interface RootParams {
@@ -171,47 +182,6 @@ export interface BadPixelsFound extends BadPixels {
   problem?: string;
 }
 
-export type PlotKind = 'polar' | 'cartesian' | 'theta-o' | 'theta-h' | 'theta-d' | 'albedo' | 'slice' | 'lobe';
-
-/** Degrees that a plot over half vector and difference angle leaves where they are. */
-export interface PlotAngles {
-  thetaH?: number;
-  thetaD?: number;
-  phiD?: number;
-}
-
-export interface PlotParams extends PlotAngles {
-  preview: number;
-  kind: PlotKind;
-}
-
-export interface Plot {
-  light: { theta: number };
-  /** Degrees that the plot is over; of the viewer in the plane of incidence they are positive on the side away from the light. */
-  angles: number[];
-  /** A list for each channel, one or three; null where a direction is below the surface. */
-  values: (Value | null)[][];
-  /** Of the albedo: how far values may be off. */
-  errors?: (Value | null)[][];
-  /** Whether values are times the cosine that the view has. */
-  cosine: boolean;
-  /** Why there are no values, as where the light is below the surface. */
-  problem?: string;
-}
-
-/** Values over two angles. */
-export interface Surface {
-  light: { theta: number; phi?: number };
-  /** Degrees: θ_o of a lobe, θ_d of a slice. */
-  rows: number[];
-  /** Degrees: φ_o of a lobe, θ_h of a slice. */
-  columns: number[];
-  /** A list for each channel, row by row. */
-  values: (Value | null)[][];
-  cosine: boolean;
-  problem?: string;
-}
-
 export type Target = 'glsl' | 'disney';
 
 export interface EmitParams extends RootParams {
@@ -234,6 +204,7 @@ export interface Emitted {
 /** What a request carries and what answers it, by its method. */
 export interface Requests {
   'texbrdf/openPreview': [OpenPreviewParams, OpenPreviewResult];
+  'texbrdf/openScene': [OpenSceneParams, OpenSceneResult];
   'texbrdf/parameters': [RootParams, Parameter[]];
   'texbrdf/parameterEdit': [ParameterEditParams, WorkspaceEdit];
   'texbrdf/roots': [{ uri: string }, Roots];
@@ -247,6 +218,8 @@ export interface Requests {
 /** Notifications to the server. */
 export interface Notifications {
   'texbrdf/updatePreview': UpdatePreviewParams;
+  'texbrdf/updateScene': UpdateSceneParams;
+  'texbrdf/sceneInput': SceneInputParams;
   'texbrdf/closePreview': PreviewParams;
   'texbrdf/frameShown': PreviewParams;
   'texbrdf/setParameter': SetParameterParams;
@@ -268,6 +241,7 @@ export class Api {
   constructor(private readonly connection: Connection) {}
 
   openPreview = (params: OpenPreviewParams) => this.connection.request('texbrdf/openPreview', params);
+  openScene = (params: OpenSceneParams) => this.connection.request('texbrdf/openScene', params);
   parameters = (params: RootParams) => this.connection.request('texbrdf/parameters', params);
   parameterEdit = (params: ParameterEditParams) => this.connection.request('texbrdf/parameterEdit', params);
   roots = (uri: string) => this.connection.request('texbrdf/roots', { uri });
@@ -278,6 +252,8 @@ export class Api {
   emit = (params: EmitParams) => this.connection.request('texbrdf/emit', params);
 
   updatePreview = (params: UpdatePreviewParams) => { this.connection.notify('texbrdf/updatePreview', params); };
+  updateScene = (params: UpdateSceneParams) => { this.connection.notify('texbrdf/updateScene', params); };
+  sceneInput = (params: SceneInputParams) => { this.connection.notify('texbrdf/sceneInput', params); };
   closePreview = (preview: number) => { this.connection.notify('texbrdf/closePreview', { preview }); };
   frameShown = (preview: number) => { this.connection.notify('texbrdf/frameShown', { preview }); };
   setParameter = (params: SetParameterParams) => { this.connection.notify('texbrdf/setParameter', params); };

@@ -1,7 +1,7 @@
 // Which definitions of a document may be drawn; and the context key that shows the preview's icon.
 import * as vscode from 'vscode';
 import { Debounce } from './debounce';
-import { activeDocument } from './documents';
+import { activeDocument, isScene } from './documents';
 import type { Api, Roots } from './protocol';
 import type { ServerProcess } from './server_process';
 
@@ -18,6 +18,10 @@ export function watchRoots(server: ServerProcess, api: Api): vscode.Disposable {
   const refresh = async () => {
     if (vscode.window.activeTextEditor === undefined) return; // A pane has the focus: the icon of the editor beside it stays.
     const document = activeDocument();
+    if (document !== undefined && isScene(document)) {
+      await vscode.commands.executeCommand('setContext', contextKey, true);
+      return;
+    }
     const { root, candidates } = document === undefined ? none : await rootsOf(server, api, document.uri.toString());
     if (activeDocument() === document) await vscode.commands.executeCommand('setContext', contextKey, root !== null || candidates.length > 0);
   };

@@ -59,6 +59,7 @@ export class Fake implements Connection {
     this.asked.push([method, params]);
     const answers: Partial<{ [K in keyof Requests]: () => Requests[K][1] | Promise<Requests[K][1]> }> = {
       'texbrdf/openPreview': () => ({ preview: ++this.previews, root: 'f' }),
+      'texbrdf/openScene': () => ({ preview: ++this.previews, views: [{ name: 'shaded', meaning: 'lit' }, { name: 'normals', meaning: '' }] }),
       'texbrdf/parameters': () => this.parameters,
       'texbrdf/definitions': () => this.definitions,
       'texbrdf/probe': () => this.probed(),

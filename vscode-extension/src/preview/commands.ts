@@ -1,6 +1,6 @@
 // Opening the preview: from the palette, the editor's title, a code lens.
 import * as vscode from 'vscode';
-import { activeDocument } from '../documents';
+import { activeDocument, isScene } from '../documents';
 import { lensCommands } from '../protocol';
 import type { Api } from '../protocol';
 import { pickRoot, rootsOf } from '../roots';
@@ -11,10 +11,14 @@ export function previewCommands(server: ServerProcess, api: Api, panel: PreviewP
   const open = async (column: vscode.ViewColumn, uri?: vscode.Uri) => {
     const document = uri === undefined ? activeDocument() : await vscode.workspace.openTextDocument(uri);
     if (document === undefined) {
-      void vscode.window.showInformationMessage('texbrdf: open a LaTeX document first.');
+      void vscode.window.showInformationMessage('texbrdf: open a LaTeX document or a scene first.');
       return;
     }
     if (!drawable(server)) return;
+    if (isScene(document)) {
+      await panel.open(document, undefined, column);
+      return;
+    }
     const root = await pickRoot(await rootsOf(server, api, document.uri.toString()));
     if (root !== null) await panel.open(document, root, column);
   };

@@ -1,8 +1,8 @@
 // What the preview's page and the extension tell each other.
-import type { BadPixels, Definition, Direction, FirstBadPixel, Light, Look, Parameter, Plot, PlotAngles, PlotKind, Point, Probed, Surface, Value } from '../protocol';
+import type { BadPixels, Definition, Direction, FirstBadPixel, Light, Look, Parameter, Plot, PlotAngles, PlotKind, Point, Probed, SceneInput, SceneKeys, SceneView, Surface, Value } from '../protocol';
 import type { Memory } from './memory';
 
-export type { BadPixels, Definition, Direction, FirstBadPixel, Light, Look, Memory, Parameter, Plot, PlotAngles, PlotKind, Point, Probed, Surface, Value };
+export type { BadPixels, Definition, Direction, FirstBadPixel, Light, Look, Memory, Parameter, Plot, PlotAngles, PlotKind, Point, Probed, SceneInput, SceneKeys, SceneView, Surface, Value };
 
 /** What the page asks for beside the curves in the plane of incidence. */
 export interface FurtherQuestion extends PlotAngles {
@@ -23,6 +23,8 @@ export interface Picture {
   milliseconds: number;
   badPixels: BadPixels;
   current: boolean;
+  /** Of each pixel of a scene. */
+  samples?: number;
 }
 
 /** What is kept to be compared with what comes later. */
@@ -34,7 +36,8 @@ export interface Pin {
 }
 
 export type ToPage =
-  | { type: 'document'; uri: string; name: string; version: number; roots: string[]; root: string | null }
+  | { type: 'document'; uri: string; name: string; version: number; roots: string[]; root: string | null; isScene: boolean }
+  | { type: 'scene'; views: SceneView[]; view: string | null; keys: SceneKeys[] }
   | { type: 'version'; version: number }
   | { type: 'look'; look: Look; standard: Look }
   | { type: 'picture'; picture: Picture }
@@ -63,6 +66,8 @@ export type FromPage =
   | { type: 'plots'; shown: boolean }
   | { type: 'furtherPlot'; question: FurtherQuestion | null }
   | { type: 'saveTable'; table: string; kind: string }
+  | { type: 'sceneInput'; input: SceneInput }
+  | { type: 'sceneView'; view: string }
   | { type: 'showBad' }
   | { type: 'pin'; pin: Pin | null }
   | { type: 'saveImage' };

@@ -40,6 +40,7 @@ function previewPage(parts: PageParts, policy: string, scriptAttributes: string)
   <header>
     <span id="name"></span>
     <label id="rootChoice" hidden>definition <select id="root"></select></label>
+    <label id="sceneChoice">view <select id="sceneView"></select></label>
     <label id="comparison" hidden>compare <select id="compare"><option value="beside">side by side</option><option value="over">overlaid</option></select></label>
     <label id="wipeLabel" hidden>pinned <input id="wipe" type="range" min="0" max="100" value="50"></label>
     <button id="pin" aria-pressed="false" title="Keep this picture, to compare it with what you type next">Pin</button>
@@ -56,10 +57,13 @@ function previewPage(parts: PageParts, policy: string, scriptAttributes: string)
           <circle id="probeMark" class="mark" r="0.012" visibility="hidden" />
           <circle id="badMark" class="mark bad" r="0.03" visibility="hidden" />
         </svg>
+        <div id="sceneLayer" tabindex="0" role="application" aria-describedby="sceneHint sceneKeys" aria-label="The scene. Drag to look around; W, A, S, D and arrow keys move, R resets, 1 to 5 switch views." hidden></div>
         <p id="notice" role="status"></p>
       </div>
       <button id="showBad" title="Go to the definition that first makes a pixel bad, and mark the pixel" hidden>Bad pixels: show where</button>
       <p id="keys" class="hint">Drag, arrow keys: light · wheel, + −: zoom · double click, 0: reset · point, W A S D: values</p>
+      <p id="sceneHint" class="hint">Drag: look around · wheel: nearer · W A S D, arrows, Q E: move · R: reset · 1–5: views</p>
+      <p id="sceneKeys" class="hint"></p>
       <div id="readout">
         <output id="readoutDirections" aria-live="off" aria-label="Directions at the point"></output>
         <div>

@@ -2,7 +2,7 @@
 import { randomBytes } from 'node:crypto';
 import * as path from 'node:path';
 import * as vscode from 'vscode';
-import { activeDocument, findDocument } from '../documents';
+import { activeDocument, findDocument, isScene } from '../documents';
 import type { Api, Location, Look } from '../protocol';
 import { rootsOf } from '../roots';
 import type { ServerProcess } from '../server_process';
@@ -97,7 +97,7 @@ export class PreviewPanel implements vscode.WebviewPanelSerializer, vscode.Dispo
   private async show(document: vscode.TextDocument, root: string | undefined): Promise<void> {
     if (this.panel === undefined) return;
     const name = path.posix.basename(document.uri.path);
-    this.panel.title = `BRDF ${name}`;
+    this.panel.title = isScene(document) ? `Scene ${name}` : `BRDF ${name}`;
     await this.session?.show({ uri: document.uri.toString(), name, version: document.version, root });
   }
 
@@ -106,6 +106,10 @@ export class PreviewPanel implements vscode.WebviewPanelSerializer, vscode.Dispo
     const document = activeDocument();
     if (document === undefined || this.session?.uri === document.uri.toString()) return;
     if (this.session === undefined || !vscode.workspace.getConfiguration('texbrdf').get<boolean>('preview.followEditor', true)) return;
+    if (isScene(document)) {
+      await this.show(document, undefined);
+      return;
+    }
     const { root, candidates } = await rootsOf(this.server, this.api, document.uri.toString());
     if (activeDocument() === document && (root !== null || candidates.length > 0)) await this.show(document, undefined);
   }

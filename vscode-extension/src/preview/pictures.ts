@@ -41,8 +41,9 @@ export class Pictures {
 
   post(): void {
     if (this.frame === undefined) return;
-    const { version, source, width, height, png, milliseconds, badPixels, current } = this.frame;
-    this.shown.post({ type: 'picture', picture: { version, source, width, height, png, milliseconds, badPixels, current } });
+    const { version, source, width, height, png, milliseconds, badPixels, current, samples } = this.frame;
+    const picture = { version, source, width, height, png, milliseconds, badPixels, current };
+    this.shown.post({ type: 'picture', picture: samples === undefined ? picture : { ...picture, samples } });
   }
 
   postState(): void {

@@ -1,37 +1,20 @@
 // A preview of one document after the other: keeps the server and the page of right account of each other. Knows nothing of VS Code.
 import { Debounce } from '../debounce';
 import { largestSide, smallestSide } from '../protocol';
-import type { Api, FrameParams, Location, Look, PreviewStateParams, Roots } from '../protocol';
-import type { TextChange } from '../text_changes';
+import type { FrameParams, Look, PreviewStateParams, Roots } from '../protocol';
+import { isSceneFile } from '../scene_files';
 import { wordsOf } from '../words_of';
 import { showBadPixel } from './bad_pixels';
-import type { FromPage, Pin, ToPage } from './messages';
+import type { FromPage, Pin } from './messages';
 import { Parameters } from './parameters';
 import { Pictures } from './pictures';
 import { FurtherPlots, Plots } from './plots';
 import { Readout } from './readout';
+import { ScenePart } from './scene';
 import type { ShownPreview } from './shown_preview';
+import type { Subject, Surroundings } from './surroundings';
 
-export interface Subject {
-  uri: string;
-  name: string;
-  version: number;
-  /** What is to be drawn, if not what the document says. */
-  root: string | undefined;
-}
-
-export interface Surroundings {
-  api: Api;
-  post: (message: ToPage) => void;
-  /** One step that can be undone; false where the document has changed since. */
-  apply: (changes: TextChange[]) => Promise<boolean>;
-  reveal: (place: Location) => void;
-  saveImage: (png: string, name: string) => void;
-  saveTable: (table: string, fileName: string) => void;
-  roots: (uri: string) => Promise<Roots>;
-  report: (problem: string) => void;
-  standardLook: () => Look;
-}
+export type { Subject, Surroundings };
 
 const documentAfter = 40; // ms of quiet
 const rememberAfter = 200;
@@ -54,6 +37,7 @@ export class Session {
   private readonly readout: Readout;
   private readonly plots: Plots;
   private readonly furtherPlots: FurtherPlots;
+  private readonly scene: ScenePart;
   private readonly soon = new Debounce(documentAfter);
   private readonly later = new Debounce(rememberAfter);
 
@@ -65,14 +49,20 @@ export class Session {
     this.readout = new Readout(this.shown);
     this.plots = new Plots(this.shown);
     this.furtherPlots = new FurtherPlots(this.shown);
+    this.scene = new ScenePart(this.shown);
   }
 
   get uri(): string | undefined {
     return this.subject?.uri;
   }
 
+  private get isScene(): boolean {
+    return this.subject !== undefined && isSceneFile(this.subject.uri);
+  }
+
   async show(subject: Subject): Promise<void> {
     this.close();
+    this.scene.forget();
     this.subject = subject;
     this.parameters.forget();
     this.roots = { root: null, candidates: [] };
@@ -112,8 +102,10 @@ export class Session {
   frameArrived(frame: FrameParams): void {
     if (frame.preview !== this.preview) return;
     if (this.pictures.frameArrived(frame)) this.refreshSoon();
+    if (this.isScene) this.scene.frameArrived(frame);
     if (!this.pageReady) return;
     this.pictures.post();
+    if (this.isScene) return;
     this.readout.refresh();
     this.plots.refresh();
     this.furtherPlots.refresh();
@@ -123,6 +115,7 @@ export class Session {
   stateArrived(state: PreviewStateParams): void {
     if (state.preview !== this.preview) return;
     this.pictures.stateArrived(state);
+    if (this.isScene) this.scene.stateArrived(state);
     this.refreshSoon();
   }
 
@@ -151,6 +144,8 @@ export class Session {
       case 'furtherPlot': this.furtherPlots.choose(message.question ?? undefined); break;
       case 'saveTable': this.around.saveTable(message.table, `${(this.subject?.name ?? '').replace(/\.\w+$/, '')}-${message.kind}.csv`); break;
       case 'pin': this.pin(message.pin); break;
+      case 'sceneInput': this.scene.input(message.input); break;
+      case 'sceneView': this.scene.choose(message.view); break;
       case 'showBad': await showBadPixel(this.shown, this.around); break;
       case 'saveImage': if (this.pictures.png !== undefined) this.around.saveImage(this.pictures.png, this.subject?.name ?? ''); break;
     }
@@ -162,9 +157,7 @@ export class Session {
     const turn = ++this.turn;
     const sent = { side, look: this.look, root: subject.root };
     try {
-      const { preview } = await this.around.api.openPreview({
-        uri: subject.uri, view: 'sphere', width: side, height: side, ...this.rootOption(), ...this.look,
-      });
+      const preview = this.isScene ? await this.scene.open(subject.uri, side) : await this.openSphere(subject.uri, side);
       if (turn === this.turn) this.opened(preview, sent);
       else this.around.api.closePreview(preview);
     } catch (error) {
@@ -172,6 +165,11 @@ export class Session {
       return;
     }
     if (turn === this.turn) await this.refreshDocument();
+  }
+
+  private async openSphere(uri: string, side: number): Promise<number> {
+    const { preview } = await this.around.api.openPreview({ uri, view: 'sphere', width: side, height: side, ...this.rootOption(), ...this.look });
+    return preview;
   }
 
   /** What changed while it was opened is told now. */
@@ -215,7 +213,8 @@ export class Session {
     const { subject } = this;
     if (subject === undefined) return;
     const root = subject.root ?? this.roots.root;
-    this.around.post({ type: 'document', uri: subject.uri, name: subject.name, version: subject.version, roots: this.roots.candidates, root });
+    this.around.post({ type: 'document', uri: subject.uri, name: subject.name, version: subject.version, roots: this.roots.candidates, root, isScene: this.isScene });
+    if (this.isScene) this.scene.post();
   }
 
   private pin(pin: Pin | null): void {
@@ -245,7 +244,10 @@ export class Session {
   }
 
   private update(change: Partial<Look> & { width?: number; height?: number; root?: string }): void {
-    if (this.preview !== undefined) this.around.api.updatePreview({ preview: this.preview, ...change });
+    const { preview, around: { api } } = this;
+    if (preview === undefined) return;
+    if (!this.isScene) api.updatePreview({ preview, ...change });
+    else if (change.width !== undefined && change.height !== undefined) api.updateScene({ preview, width: change.width, height: change.height });
   }
 
   private async chooseRoot(root: string): Promise<void> {
@@ -262,7 +264,7 @@ export class Session {
 
   private async refreshDocument(): Promise<void> {
     const { subject, turn } = this;
-    if (subject === undefined) return;
+    if (subject === undefined || this.isScene) return;
     const model = { uri: subject.uri, ...this.rootOption() };
     const [parameters, definitions, roots] = await Promise.all([
       this.around.api.parameters(model).catch(() => undefined),

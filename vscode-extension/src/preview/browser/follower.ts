@@ -1,6 +1,7 @@
 // The session shows the document that was opened or edited last in the editor, if there is something to draw in it.
 import type { FollowedDocument } from '../../browser_protocol';
 import type { Roots } from '../../protocol';
+import { isSceneFile } from '../../scene_files';
 import type { Subject } from '../session';
 
 export interface Followed {
@@ -40,6 +41,7 @@ export class Follower {
   }
 
   private isDrawable(uri: string): Promise<boolean> {
+    if (isSceneFile(uri)) return Promise.resolve(true);
     return this.roots(uri).then(({ root, candidates }) => root !== null || candidates.length > 0, () => false);
   }
 

@@ -8,12 +8,13 @@ import { forgetPicture, pictureBlob, showPicture, showState, showVersion } from 
 import { showPin, watchPin } from './pin';
 import { forgetPlot, nameRoot, showPlot, watchPlots } from './plots';
 import { clearReadout, showDefinitions, showReadout, showRoot, watchReadout } from './readout';
+import { showKind, showScene, watchScene } from './scene';
 import { showParameters, watchSliders } from './sliders';
 
 const rootChoice = element<HTMLSelectElement>('root');
 let shownUri = '';
 
-function showDocument({ uri, name, version, roots, root }: ToPage & { type: 'document' }): void {
+function showDocument({ uri, name, version, roots, root, isScene }: ToPage & { type: 'document' }): void {
   if (uri !== shownUri) {
     forgetPicture();
     clearReadout();
@@ -21,6 +22,7 @@ function showDocument({ uri, name, version, roots, root }: ToPage & { type: 'doc
     forgetFurther();
   }
   shownUri = uri;
+  showKind(isScene);
   element('name').textContent = name;
   element('rootChoice').hidden = roots.length < 2;
   rootChoice.replaceChildren(...roots.map((candidate) => new Option(candidate, candidate, false, candidate === root)));
@@ -34,6 +36,7 @@ function receive(message: ToPage): void {
     case 'document': showDocument(message); break;
     case 'version': showVersion(message.version); break;
     case 'look': showLook(message.look, message.standard); break;
+    case 'scene': showScene(message); break;
     case 'picture': void showPicture(message.picture); break;
     case 'state': showState(message.state, message.message); break;
     case 'parameters': showParameters(message.parameters); break;
@@ -76,5 +79,6 @@ watchReadout();
 watchPlots();
 watchFurther();
 watchBadPixels();
+watchScene();
 watchSize();
 tell({ type: 'ready' });

@@ -65,7 +65,8 @@ function refresh(): void {
   stage.dataset.fresh = fresh;
   status.textContent = last === undefined ? '' : statusText(last);
   notice.textContent = noticeText(fresh);
-  image.alt = last === undefined ? '' : `The BRDF on a lit sphere. ${statusText(last)}`;
+  const what = last?.samples === undefined ? 'The BRDF on a lit sphere' : 'The scene';
+  image.alt = last === undefined ? '' : `${what}. ${statusText(last)}`;
 }
 
 function noticeText(fresh: ReturnType<typeof freshness>): string {
