@@ -228,16 +228,34 @@ change ball.scene.json "{\"materials\": [\"/secret.material.json\"], \"scene\": 
        "version": 6,
        "diagnostics": [
          {
-           "range": "1:16-1:41",
+           "range": "1:16-1:39",
            "severity": 1,
            "source": "texbrdf",
-           "message": "the file /tmp/texbrdf-g7rG8y/secret.material.json is not in a folder of the workspace"
+           "message": "the file /secret.material.json is not in a folder of the workspace"
          }
        ]
      }
    }
 -> workspace/didChangeConfiguration {"settings": {"texbrdf": {"features": {"diagnostics": false}}}}
+<- {"method":"textDocument/publishDiagnostics","params":{"uri":"ball.scene.json","diagnostics":[]}}
+<- {"method":"textDocument/publishDiagnostics","params":{"uri":"ball.tex","diagnostics":[]}}
 -> workspace/didChangeConfiguration {"settings": {"texbrdf": {"features": {"diagnostics": true}}}}
+<- {
+     "method": "textDocument/publishDiagnostics",
+     "params": {
+       "uri": "ball.scene.json",
+       "version": 6,
+       "diagnostics": [
+         {
+           "range": "1:16-1:39",
+           "severity": 1,
+           "source": "texbrdf",
+           "message": "the file /secret.material.json is not in a folder of the workspace"
+         }
+       ]
+     }
+   }
+<- {"method":"textDocument/publishDiagnostics","params":{"uri":"ball.tex","version":2,"diagnostics":[]}}
 -> textDocument/didClose {"doc": "ball.scene.json"}
 <- {"method":"textDocument/publishDiagnostics","params":{"uri":"ball.scene.json","diagnostics":[]}}
 => exit status 1

@@ -45,13 +45,9 @@ open ball.scene.json
      }
    }
 -> texbrdf/sceneInput {"preview": 1, "held": ["J"], "seconds": 0.1, "pressed": ["2"], "drag": {"right": 0.1, "down": 0}, "wheel": 1}
-<- {"id":5,"error":{"code":-32601,"message":"no method texbrdf/sceneInput"}}
 -> texbrdf/updateScene {"preview": 1, "view": "depth", "width": 100000}
-<- {"id":6,"error":{"code":-32601,"message":"no method texbrdf/updateScene"}}
 -> texbrdf/updateScene {"preview": 2, "view": "depth"}
-<- {"id":7,"error":{"code":-32601,"message":"no method texbrdf/updateScene"}}
 -> texbrdf/sceneInput {"preview": 2}
-<- {"id":8,"error":{"code":-32601,"message":"no method texbrdf/sceneInput"}}
 # A broken file is told of, and then that it is none any more.
 change ball.scene.json "{\"scene\": [{\"type\": \"Primitives/Sphare\"}]}"
 <- {
@@ -92,5 +88,4 @@ change ball.scene.json "{\"scene\": [{\"type\": \"Primitives/Sphere\"}]}"
 -> texbrdf/frameShown {"preview": 1}
 -> texbrdf/closePreview {"preview": 1}
 -> texbrdf/sceneInput {"preview": 1}
-<- {"id":9,"error":{"code":-32601,"message":"no method texbrdf/sceneInput"}}
 => exit status 1
