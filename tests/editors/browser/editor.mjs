@@ -7,6 +7,8 @@ export class Editor {
   lastId = 0;
   /** What the server asked for: `window/showDocument`. */
   shown = [];
+  /** What was published, by URI. */
+  diagnostics = new Map();
 
   constructor(program, uri, text) {
     Object.assign(this, { uri, text, version: 1 });
@@ -67,6 +69,7 @@ export class Editor {
   handle({ id, method, params, result }) {
     if (method === undefined) this.waiting.get(id)?.(result);
     if (method === 'window/showMessage') this.onUrl(/http:\S+/.exec(params.message)[0]);
+    if (method === 'textDocument/publishDiagnostics') this.diagnostics.set(params.uri, params.diagnostics);
     if (method === 'window/showDocument') this.shown.push(params);
     if (method === 'workspace/applyEdit') this.apply(params.edit);
     if (method !== undefined && id !== undefined) this.send({ id, result: method === 'workspace/applyEdit' ? { applied: true } : null });

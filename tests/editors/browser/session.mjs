@@ -5,6 +5,7 @@ import { existsSync, mkdirSync, readFileSync, rmSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import path from 'node:path';
 import { Editor } from './editor.mjs';
+import { sceneSteps } from './scene_steps.mjs';
 
 const { chromium } = createRequire(path.resolve('package.json'))('playwright-core');
 
@@ -215,6 +216,7 @@ const steps = {
     await page.locator('#saveImage').click();
     assert.equal((await download).suggestedFilename(), 'paper.png');
   },
+  ...sceneSteps({ program, editor, untilTrue, difference, shot, most }),
   'a closed document is told of': async (page) => {
     editor.notify('textDocument/didClose', { textDocument: { uri: editor.uri } });
     await page.locator('#notice', { hasText: 'was closed' }).waitFor();
