@@ -7,35 +7,18 @@
 #include <numbers>
 #include <set>
 
+#include "scene/user_code.h"
+
 namespace texbrdf::scene {
 namespace {
 
 using Fault = std::optional<SceneFault>;
 
+/// Half a turn is written with few digits.
+constexpr double kWritten = 1e-6;
+
 bool is_finite(const Triple& values) {
   return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
-}
-
-/// What the value must be, or nothing where it is.
-std::string_view broken_rule(Domain domain, double value) {
-  if (!std::isfinite(value)) return "finite";
-  switch (domain) {
-    case Domain::Any:
-      return {};
-    case Domain::Positive:
-      return value > 0 ? "" : "more than 0";
-    case Domain::NotNegative:
-      return value >= 0 ? "" : "at least 0";
-    case Domain::UpToQuarterTurn:
-      return value > 0 && value < std::numbers::pi / 2 ? "" : "more than 0 and less than pi/2";
-    case Domain::UpToHalfTurn:
-      return value > 0 && value <= std::numbers::pi ? "" : "more than 0 and at most pi";
-    case Domain::Count:
-      return value >= 0 && value <= kMaxCopies && value == std::floor(value) ? "" : "a whole number, 0 to 1000000";
-    case Domain::Flag:
-      return value == 0 || value == 1 ? "" : "0 or 1";
-  }
-  return {};
 }
 
 Fault data_fault(const Node& node, uint32_t index) {
@@ -142,6 +125,20 @@ Fault dynamic_fault(const Scene& scene) {
       return SceneFault{Part::NodeDynamic, i, 0, fmt::format("two dynamic objects are called `{}`", dynamic->name)};
     }
   }
+  if (names.size() > kMaxDynamic)
+    return SceneFault{Part::Scene, 0, 0, fmt::format("more than {} dynamic objects", kMaxDynamic)};
+  return std::nullopt;
+}
+
+Fault code_fault(const Scene& scene) {
+  for (uint32_t i = 0; i < scene.user_primitives.size(); ++i) {
+    if (auto fault = find_code_fault(scene.user_primitives[i]))
+      return SceneFault{Part::UserPrimitive, i, fault->line, std::move(fault->message)};
+  }
+  for (uint32_t i = 0; i < scene.shaders.size(); ++i) {
+    if (auto fault = find_code_fault(scene.shaders[i]))
+      return SceneFault{Part::Shader, i, fault->line, std::move(fault->message)};
+  }
   return std::nullopt;
 }
 
@@ -197,6 +194,27 @@ Fault size_fault(const Scene& scene) {
 
 }  // namespace
 
+std::string_view broken_rule(Domain domain, double value) {
+  if (!std::isfinite(value)) return "finite";
+  switch (domain) {
+    case Domain::Any:
+      return {};
+    case Domain::Positive:
+      return value > 0 ? "" : "more than 0";
+    case Domain::NotNegative:
+      return value >= 0 ? "" : "at least 0";
+    case Domain::UpToQuarterTurn:
+      return value > 0 && value < std::numbers::pi / 2 ? "" : "more than 0 and less than π/2";
+    case Domain::UpToHalfTurn:
+      return value > 0 && value <= std::numbers::pi + kWritten ? "" : "more than 0 and at most π";
+    case Domain::Count:
+      return value >= 0 && value <= kMaxCopies && value == std::floor(value) ? "" : "a whole number, 0 to 1000000";
+    case Domain::Flag:
+      return value == 0 || value == 1 ? "" : "0 or 1";
+  }
+  return {};
+}
+
 std::optional<SceneFault> find_fault(const Scene& scene) {
   if (Fault fault = size_fault(scene)) return fault;
   for (uint32_t i = 0; i < scene.nodes.size(); ++i) {
@@ -204,6 +222,7 @@ std::optional<SceneFault> find_fault(const Scene& scene) {
   }
   if (Fault fault = tree_fault(scene)) return fault;
   if (Fault fault = dynamic_fault(scene)) return fault;
+  if (Fault fault = code_fault(scene)) return fault;
   if (Fault fault = material_fault(scene)) return fault;
   return view_fault(scene);
 }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "scene/scene.h"
 
@@ -17,9 +18,9 @@ enum class Part : uint8_t {
   NodeMaterial,   ///< `index` is the node
   NodeChildren,   ///< `index` is the node
   NodeDynamic,    ///< `index` is the node
-  UserPrimitive,
-  Shader,
-  Property,  ///< `index` is the shader, `item` the property
+  UserPrimitive,  ///< `item` is the line of the code, counted from 0
+  Shader,         ///< the same
+  Property,       ///< `index` is the shader, `item` the property
   Material,
   MaterialValue,  ///< `index` is the material, `item` the property
   Camera,
@@ -34,6 +35,9 @@ struct SceneFault {
   uint32_t item = 0;
   std::string message;  ///< one line, without the place: "the radius must be more than 0, but is -1"
 };
+
+/// What a number must be, or nothing where it is: "more than 0".
+std::string_view broken_rule(Domain domain, double value);
 
 /// What keeps a scene from being drawn, or nothing. What has no fault can be evaluated, bounded and compiled, apart
 /// from code of users that GLSL compilers reject.

@@ -63,7 +63,7 @@ struct Node {
   UserPrimitiveId user_primitive;       ///< valid for ObjectKind::UserPrimitive only
   std::array<double, kMaxData> data{};  ///< all of them: see `with_defaults`
   Transform transform;
-  MaterialId material;  ///< not valid: the one of the parent, and kDefaultMaterial at a root
+  MaterialId material;  ///< not valid: the one of the parent; at a root: a grey one
   std::optional<Dynamic> dynamic;
   std::vector<NodeId> children;  ///< united with a primitive; joined by an operation
 };
@@ -74,8 +74,8 @@ struct UserPrimitive {
   std::string name;
   std::string code;  ///< GLSL, with the types and functions of Slang that user_code.h lists
   CodePlace place;
-  /// A half size of a box around the origin that holds all of it, whatever its data. Without one it is taken to be
-  /// unbounded, is always evaluated and cannot be twisted or bent.
+  /// A half size of a box around the origin that holds all of it, whatever its data; what is outside is cut off.
+  /// Without one it is taken to be unbounded, and is always evaluated.
   std::optional<Triple> bounds;
   double lipschitz = 1;  ///< the largest slope of the function, 1 for a distance
 };
@@ -172,6 +172,8 @@ inline constexpr std::size_t kMaxLights = 16;
 inline constexpr std::size_t kMaxShaders = 256;
 inline constexpr std::size_t kMaxMaterials = 1024;
 inline constexpr std::size_t kMaxUserPrimitives = 256;
+/// Their transforms are uniforms, of which drivers have few.
+inline constexpr std::size_t kMaxDynamic = 64;
 /// Levels of a tree.
 inline constexpr std::size_t kMaxDepth = 64;
 

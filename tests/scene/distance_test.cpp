@@ -72,5 +72,35 @@ TEST(SceneDistances, OfRandomTreesAreThoseOfTheReference) {
   RecordProperty("worst", std::to_string(driver.worst()));
 }
 
+/// `count` objects of all bounded kinds in a cube.
+scene::Scene crowd(std::size_t count) {
+  scene::Scene scene;
+  test::Random random(1);
+  std::vector<const scene::ObjectEntry*> kinds;
+  for (const scene::ObjectEntry& entry : scene::object_entries()) {
+    const bool is_bounded = entry.kind != scene::ObjectKind::Plane && entry.kind != scene::ObjectKind::InfiniteCylinder;
+    if (entry.object_class == scene::ObjectClass::Primitive && is_bounded) kinds.push_back(&entry);
+  }
+  for (uint32_t i = 0; i < count; ++i) {
+    const scene::ObjectEntry& entry = *random.one_of(kinds);
+    scene::Node node;
+    node.kind = entry.kind;
+    node.data = with_defaults(entry, {});
+    node.transform.position = {random.real(-10, 10), random.real(-10, 10), random.real(-10, 10)};
+    node.transform.rotation = {random.real(-3, 3), 0, random.real(-3, 3)};
+    scene.nodes.push_back(node);
+    scene.roots.push_back({i});
+  }
+  return scene;
+}
+
+/// Bounded by the deadline of the worker.
+TEST(SceneDistances, OfTheLargestSceneAreThoseOfTheReference) {
+  Driver driver;
+  test::RandomScene random(5);
+  const char* count = std::getenv("CROWD");
+  driver.expect_agreement(crowd(count ? std::atoi(count) : scene::kMaxNodes), random, "a crowd");
+}
+
 }  // namespace
 }  // namespace texbrdf
