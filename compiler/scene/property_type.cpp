@@ -32,6 +32,12 @@ std::optional<PropertyType> find_property_type(std::string_view name) {
   return static_cast<PropertyType>(found - kTypes.begin());
 }
 
+std::vector<std::string_view> property_type_names() {
+  std::vector<std::string_view> names;
+  for (const TypeEntry& type : kTypes) names.push_back(type.name);
+  return names;
+}
+
 std::size_t component_count(PropertyType type) {
   return entry(type).components;
 }

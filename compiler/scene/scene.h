@@ -85,6 +85,7 @@ enum class PropertyType : uint8_t { Int, Int2, Int3, Float, Float2, Float3 };
 /// "float3"
 std::string_view property_type_name(PropertyType type);
 std::optional<PropertyType> find_property_type(std::string_view name);
+std::vector<std::string_view> property_type_names();
 std::size_t component_count(PropertyType type);
 bool is_integer(PropertyType type);
 

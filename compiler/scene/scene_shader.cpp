@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <set>
 
 #include "scene/glsl_text.h"
 #include "scene/tree_glsl.h"
 #include "scene/tree_plan.h"
 #include "scene/user_code.h"
+#include "source/trimmed.h"
 
 namespace texbrdf::scene {
 namespace {
@@ -76,7 +78,7 @@ class ShaderWriter {
     text_ += tree_glsl(plan_, scene_, primitive_prefixes_);
     write_materials();
     write_origins();
-    return {std::move(text_), std::move(places_)};
+    return {std::move(text_), std::move(places_), std::move(prefixes_)};
   }
 
  private:
@@ -87,6 +89,7 @@ class ShaderWriter {
     while (code.find(prefix) != std::string::npos) prefix += 'x';
     text_ +=
         fmt::format("#line {} {}\n{}\n", std::max(place.first_line, 1U), places_.size(), with_prefix(code, prefix));
+    prefixes_.push_back(prefix);
     return prefix;
   }
 
@@ -187,6 +190,7 @@ class ShaderWriter {
   std::vector<uint32_t> leaves_;     // nodes, rising
   std::string text_;
   std::vector<CodePlace> places_;
+  std::vector<std::string> prefixes_;            // by place
   std::vector<std::string> primitive_prefixes_;  // of those that are used
   std::vector<std::string> shader_prefixes_;     // of those that are used
   std::vector<glm::dvec3> origins_;              // by node, in the world or the frame of the dynamic object
@@ -202,6 +206,22 @@ void append_row(std::vector<float>& frames, const glm::dvec3& row, double last) 
 
 SceneShader make_scene_shader(const Scene& scene) {
   return ShaderWriter(scene).run();
+}
+
+std::optional<ComplaintPlace> find_place(const SceneShader& shader, std::string_view complaint) {
+  const char* const end = complaint.data() + complaint.size();
+  uint32_t number = 0;
+  uint32_t line = 0;
+  const auto [colon, no_number] = std::from_chars(complaint.data(), end, number);
+  if (no_number != std::errc{} || colon == end || *colon != ':') return std::nullopt;
+  const auto [behind, no_line] = std::from_chars(colon + 1, end, line);
+  if (no_line != std::errc{} || behind == end || *behind != ':') return std::nullopt;
+  if (number == 0 || number > shader.places.size()) return std::nullopt;
+  std::string message(trimmed(std::string_view(behind + 1, end)));
+  const std::string& prefix = shader.prefixes[number - 1];
+  for (std::size_t at = message.find(prefix); at != std::string::npos; at = message.find(prefix, at))
+    message.erase(at, prefix.size());
+  return ComplaintPlace{shader.places[number - 1], line, std::move(message)};
 }
 
 std::vector<float> scene_frames(const Scene& scene) {

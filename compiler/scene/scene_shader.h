@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,11 +22,23 @@ struct SceneShader {
   ///   FragmentProperties properties);
   /// Every name that the tracer may use for itself begins with `trace_`; code of users cannot clash with either.
   std::string source;
-  std::vector<CodePlace> places;  ///< of code of users: in `#line LINE N` of the source, N is 1 + the index here
+  std::vector<CodePlace> places;      ///< of code of users: in `#line LINE N` of the source, N is 1 + the index here
+  std::vector<std::string> prefixes;  ///< what that code's own names begin with in the source; by the same index
 };
 
 /// The scene has no fault.
 SceneShader make_scene_shader(const Scene& scene);
+
+/// Where code of a user stands that a GLSL compiler complains about.
+struct ComplaintPlace {
+  CodePlace code;
+  uint32_t line = 0;    ///< of the file, where the code has lines of the file, else of the code; counted from 1
+  std::string message;  ///< with the user's names
+};
+
+/// Of a complaint as glslang writes it without `ERROR: `, `N:LINE: message`. Nothing where it is not about code of
+/// users.
+std::optional<ComplaintPlace> find_place(const SceneShader& shader, std::string_view complaint);
 
 /// The uniform array for the present transforms of the dynamic objects: moving one sends it anew and compiles nothing.
 std::vector<float> scene_frames(const Scene& scene);

@@ -2,16 +2,56 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <set>
+#include <optional>
 #include <string_view>
 #include <utility>
 
+#include "scene/check.h"
 #include "scene_json/part_reader.h"
 #include "scene_json/values.h"
 
 namespace texbrdf::scene_json {
 namespace {
+
+/// Where an object has what a fault is about; empty: the object as a whole.
+std::string_view key_of(scene::Part part) {
+  switch (part) {
+    case scene::Part::NodeKind:
+      return "type";
+    case scene::Part::NodeData:
+      return "data";
+    case scene::Part::NodeTransform:
+      return "transform";
+    case scene::Part::NodeMaterial:
+      return "material_id";
+    case scene::Part::NodeChildren:
+      return "children";
+    case scene::Part::Camera:
+      return "camera";
+    case scene::Part::LightSource:
+      return "lights";
+    case scene::Part::Environment:
+      return "environment";
+    case scene::Part::Settings:
+      return "render";
+    case scene::Part::Scene:
+    case scene::Part::NodeDynamic:
+    case scene::Part::UserPrimitive:
+    case scene::Part::Shader:
+    case scene::Part::Property:
+    case scene::Part::Material:
+    case scene::Part::MaterialValue:
+      return {};
+  }
+  return {};
+}
+
+std::optional<JsonId> member_of(const Origin& object, std::string_view key) {
+  for (const JsonId id : object.file->tree[object.id].elements) {
+    if (object.file->tree[id].key == key && !key.empty()) return id;
+  }
+  return std::nullopt;
+}
 
 /// Reads the file of a scene, or makes a scene that shows what another file holds.
 class SceneReader {
@@ -22,7 +62,7 @@ class SceneReader {
     const std::string real = files::real_path(path);
     if (const JsonFile* file = table_.open(real, nullptr)) read(*file);
     scene_.nodes = std::move(tree_.nodes);
-    check_names();
+    if (!problems_.has_error()) check(real);
     LoadedScene loaded;
     if (!problems_.has_error()) loaded.scene = std::move(scene_);
     loaded.problems = problems_.take();
@@ -107,14 +147,24 @@ class SceneReader {
     scene_.roots = {scene::NodeId{0}};
   }
 
-  void check_names() {
-    std::set<std::string_view> names;
-    for (std::size_t i = 0; i < scene_.nodes.size(); ++i) {
-      const auto& dynamic = scene_.nodes[i].dynamic;
-      if (!dynamic || names.insert(dynamic->name).second) continue;
-      const Origin& origin = tree_.origins[i];
-      problems_.add(*origin.file, origin.id, fmt::format("two dynamic objects have the name `{}`", dynamic->name));
-    }
+  /// What the parts alone do not tell.
+  void check(const std::string& path) {
+    const auto fault = find_fault(scene_);
+    if (!fault) return;
+    const Origin where = place_of(*fault, path);
+    problems_.add(*where.file, where.id, fault->message);
+  }
+
+  Origin place_of(const scene::SceneFault& fault, const std::string& path) {
+    const bool is_of_node = fault.part >= scene::Part::NodeKind && fault.part <= scene::Part::NodeDynamic;
+    const Origin whole{table_.open(path, nullptr), JsonId{0}};
+    const Origin object = is_of_node && tree_.origins[fault.index].file != nullptr ? tree_.origins[fault.index] : whole;
+    const std::optional<JsonId> member = member_of(object, key_of(fault.part));
+    if (!member) return object;
+    const JsonValue& value = object.file->tree[*member];
+    const bool is_number = fault.part == scene::Part::NodeData && value.kind == JsonKind::Array;
+    if (is_number && fault.item < value.elements.size()) return {object.file, value.elements[fault.item]};
+    return {object.file, *member};
   }
 
   Problems problems_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/user_code.h"
 #include "scene_json/property_text.h"
 #include "semantics/names.h"
 
@@ -26,6 +27,21 @@ scene::CodePlace place_of(const JsonFile& file, JsonId id) {
   const bool same_lines = value.kind == JsonKind::String && breaks == std::ranges::count(value.text, '\n');
   const uint32_t line = file.text.position(value.span.begin, ColumnUnit::CodePoint).line + 1;
   return {file.path, file.tree.path(id), same_lines ? line : 0};
+}
+
+/// At the line of the code where the file has it as a line, else at the code.
+void fail_code(FileReader& reader, Problems& problems, JsonId code, const scene::CodePlace& place,
+               const scene::CodeFault& fault) {
+  const JsonValue& value = reader[code];
+  if (value.kind == JsonKind::Array && fault.line < value.elements.size())
+    return reader.fail(value.elements[fault.line], fault.message);
+  if (place.first_line == 0) return reader.fail(code, fault.message);
+  const std::string text = reader.file().text.slice(value.span);
+  std::size_t begin = 0;
+  for (uint32_t line = 0; line < fault.line; ++line) begin = text.find('\n', begin) + 1;
+  const std::size_t end = std::min(text.find('\n', begin), text.size());
+  const Span span{static_cast<uint32_t>(value.span.begin + begin), static_cast<uint32_t>(value.span.begin + end)};
+  problems.add(reader.file().path, reader.file().text, reader.file().tree.path(code), span, fault.message);
 }
 
 template <typename Container>
@@ -117,6 +133,9 @@ std::optional<scene::UserPrimitiveId> PartReader::read_primitive(const Origin& p
     if (half) primitive.bounds = scene::Triple{(*half)[0], (*half)[1], (*half)[2]};
   }
   if (const auto id = object.member("lipschitz")) primitive.lipschitz = reader.number(*id, 1e-3, 1e3).value_or(1);
+  if (const auto code = object.member("code"); code && reader.error_count() == errors) {
+    if (const auto fault = find_code_fault(primitive)) fail_code(reader, problems_, *code, primitive.place, *fault);
+  }
   object.finish();
   if (is_full(reader, part.id, scene_.user_primitives, scene::kMaxUserPrimitives, "primitive")) return std::nullopt;
   if (reader.error_count() != errors) return std::nullopt;
@@ -152,9 +171,8 @@ std::optional<scene::ShaderId> PartReader::read_shader(const Origin& part) {
   if (const auto id = object.required("code")) {
     shader.code = read_code(reader, *id).value_or("");
     shader.place = place_of(*part.file, *id);
-    const bool has_shade = shader.code.find("shade") != std::string::npos;
-    if (!shader.code.empty() && !has_shade)
-      reader.fail(*id, "the code has no function `float3 shade(FragmentProperties)`");
+    const auto fault = shader.code.empty() ? std::nullopt : find_code_fault(shader);
+    if (fault) fail_code(reader, problems_, *id, shader.place, *fault);
   }
   object.finish();
   if (is_full(reader, part.id, scene_.shaders, scene::kMaxShaders, "shader")) return std::nullopt;
@@ -239,8 +257,9 @@ void PartReader::read_values(FileReader& reader, JsonId list, scene::Material& m
     if (given[found]) reader.fail(*name_id, fmt::format("the property `{}` has two values", *name));
     given[found] = true;
     const auto type = type_id ? reader.text(*type_id) : std::nullopt;
-    if (type && property_type(*type) != property.type) {
-      reader.fail(*type_id, fmt::format("the property `{}` is a {}, not a `{}`", *name, name_of(property.type), *type));
+    if (type && scene::find_property_type(*type) != property.type) {
+      reader.fail(*type_id, fmt::format("the property `{}` is a {}, not a `{}`", *name,
+                                        property_type_name(property.type), *type));
       continue;
     }
     const auto numbers = value_id ? numbers_of(reader, *value_id) : std::nullopt;

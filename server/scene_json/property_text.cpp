@@ -15,13 +15,8 @@ namespace {
 
 using scene::PropertyType;
 
-constexpr std::array<std::string_view, 6> kTypeNames = {"int", "int2", "int3", "float", "float2", "float3"};
 constexpr double kLargest = std::numeric_limits<float>::max();
 constexpr double kLargestInt = std::numeric_limits<int32_t>::max();
-
-bool is_integer_type(PropertyType type) {
-  return type == PropertyType::Int || type == PropertyType::Int2 || type == PropertyType::Int3;
-}
 
 std::optional<double> read_number(std::string_view text) {
   text = trimmed(text);
@@ -67,20 +62,6 @@ bool is_identifier(std::string_view text) {
          std::ranges::all_of(text, [&](char c) { return is_letter(c) || (c >= '0' && c <= '9'); });
 }
 
-std::optional<PropertyType> property_type(std::string_view name) {
-  const auto* const found = std::ranges::find(kTypeNames, name);
-  if (found == kTypeNames.end()) return std::nullopt;
-  return static_cast<PropertyType>(found - kTypeNames.begin());
-}
-
-std::string_view name_of(PropertyType type) {
-  return kTypeNames[static_cast<std::size_t>(type)];
-}
-
-std::size_t components_of(PropertyType type) {
-  return static_cast<std::size_t>(type) % 3 + 1;
-}
-
 std::optional<std::vector<double>> read_tuple(std::string_view text) {
   text = trimmed(text);
   const bool has_brackets = text.starts_with('(') && text.ends_with(')') && text.size() >= 2;
@@ -97,15 +78,15 @@ std::optional<std::vector<double>> read_tuple(std::string_view text) {
 }
 
 Result<scene::Triple> value_of(const std::vector<double>& numbers, PropertyType type) {
-  const std::size_t wanted = components_of(type);
+  const std::size_t wanted = component_count(type);
   if (numbers.size() != wanted) {
-    return Failure{fmt::format("a {} has {} number{}, here {} {}", name_of(type), wanted, wanted == 1 ? "" : "s",
-                               numbers.size() == 1 ? "is" : "are", numbers.size())};
+    return Failure{fmt::format("a {} has {} number{}, here {} {}", property_type_name(type), wanted,
+                               wanted == 1 ? "" : "s", numbers.size() == 1 ? "is" : "are", numbers.size())};
   }
   scene::Triple value{};
   for (std::size_t i = 0; i < wanted; ++i) {
-    if (is_integer_type(type) && (numbers[i] != std::trunc(numbers[i]) || std::abs(numbers[i]) > kLargestInt)) {
-      return Failure{fmt::format("{} is no whole number of 32 bits, as {} has", numbers[i], name_of(type))};
+    if (is_integer(type) && (numbers[i] != std::trunc(numbers[i]) || std::abs(numbers[i]) > kLargestInt)) {
+      return Failure{fmt::format("{} is no whole number of 32 bits, as {} has", numbers[i], property_type_name(type))};
     }
     value[i] = numbers[i];
   }
@@ -116,8 +97,10 @@ Result<scene::Property> read_property(std::string_view text) {
   scene::Property property;
   const auto type_name = take_bracket(text);
   if (!type_name) return Failure{"a property is written `[float] [Range(0, 1)] _Name`: its type in brackets first"};
-  const auto type = property_type(*type_name);
-  if (!type) return Failure{fmt::format("`{}` is no type: there are {}", *type_name, fmt::join(kTypeNames, ", "))};
+  const auto type = scene::find_property_type(*type_name);
+  if (!type)
+    return Failure{
+        fmt::format("`{}` is no type: there are {}", *type_name, fmt::join(scene::property_type_names(), ", "))};
   property.type = *type;
   if (text.starts_with('[')) {
     const auto inside = take_bracket(text);

@@ -16,10 +16,6 @@ Result<scene::Property> read_property(std::string_view text);
 /// "0.5" or "(0.5, 0.1, 0.5)"; nothing where it is neither.
 std::optional<std::vector<double>> read_tuple(std::string_view text);
 
-std::optional<scene::PropertyType> property_type(std::string_view name);
-std::string_view name_of(scene::PropertyType type);
-std::size_t components_of(scene::PropertyType type);
-
 /// The numbers as a value of the type, or why they are none.
 Result<scene::Triple> value_of(const std::vector<double>& numbers, scene::PropertyType type);
 

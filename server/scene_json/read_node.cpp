@@ -2,9 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
+#include "scene/check.h"
 #include "scene_json/part_reader.h"
 #include "scene_json/values.h"
 
@@ -14,29 +13,6 @@ namespace {
 
 constexpr std::string_view kModels = "Models/";
 constexpr std::string_view kPrimitives = "Primitives/";
-
-/// Why the number cannot be; empty where it can.
-std::string_view domain_fault(scene::Domain domain, double number) {
-  switch (domain) {
-    case scene::Domain::Any:
-      return {};
-    case scene::Domain::Positive:
-      return number > 0 ? "" : "has to be more than 0";
-    case scene::Domain::NotNegative:
-      return number >= 0 ? "" : "must not be negative";
-    case scene::Domain::UpToQuarterTurn:
-      return number > 0 && number < std::numbers::pi / 2 ? "" : "has to be more than 0 and less than π/2";
-    case scene::Domain::UpToHalfTurn:
-      return number > 0 && number <= std::numbers::pi + 1e-6 ? "" : "has to be more than 0 and at most π";
-    case scene::Domain::Count:
-      return number >= 0 && number <= scene::kMaxCopies && number == std::trunc(number)
-                 ? ""
-                 : "has to be a whole number, not negative and at most a million";
-    case scene::Domain::Flag:
-      return number == 0 || number == 1 ? "" : "has to be 0 or 1";
-  }
-  return {};
-}
 
 std::vector<std::string> all_types() {
   std::vector<std::string> names;
@@ -130,10 +106,10 @@ class NodeReader {
     node_.data = scene::with_defaults(*entry_, numbers);
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const scene::Datum& datum = entry_->data[i];
-      const std::string_view fault = domain_fault(datum.domain, numbers[i]);
-      if (!fault.empty())
+      const std::string_view rule = scene::broken_rule(datum.domain, numbers[i]);
+      if (!rule.empty())
         reader_.fail(reader_[*id].elements[i],
-                     fmt::format("`{}` of {} {}, but is {}", datum.name, entry_->name, fault, numbers[i]));
+                     fmt::format("`{}` of {} must be {}, but is {}", datum.name, entry_->name, rule, numbers[i]));
     }
   }
 

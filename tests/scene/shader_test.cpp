@@ -3,6 +3,7 @@
 
 #include "render/glsl_check.h"
 #include "render/shader_text.h"
+#include "scene/check.h"
 #include "support.h"
 
 namespace texbrdf {
@@ -29,6 +30,69 @@ TEST(SceneShader, ThatOfEveryExampleIsLegal) {
     EXPECT_EQ(glslang.find_fault(text).value_or(""), "") << name;
     if (const char* folder = std::getenv("KEEP_SHADERS")) std::ofstream(std::string(folder) + "/" + name) << text;
   }
+}
+
+scene::Scene scene_of_shaders(const std::vector<std::string>& codes) {
+  scene::Scene scene;
+  for (uint32_t i = 0; i < codes.size(); ++i) {
+    scene.shaders.push_back({"s", scene::ShaderKind::Shade, {}, codes[i], {"s.shader.json", "code", 7}});
+    scene.materials.push_back({"m", {i}, {}});
+    scene::Node node;
+    node.kind = scene::ObjectKind::Sphere;
+    node.data[0] = 0.5;
+    node.material = {i};
+    scene.nodes.push_back(node);
+    scene.roots.push_back({i});
+  }
+  return scene;
+}
+
+TEST(SceneShader, TwoShadersWithTheSameNamesDoNotMeet) {
+  const std::string code = R"(#define SIZE 3
+#ifdef SIZE
+struct Part { float3 shade; float SIZE_; };
+#endif
+const float weights[SIZE] = float[SIZE](1.0, 2.0, 3.0);
+float3 state;
+float node_0(float x) { return saturate(frac(x)) + weights[1]; }  // ours is called so too
+void main() { state = float3(0.0, 0.0, 0.0); }
+float3 shade(FragmentProperties properties) {
+  main();
+  Part part;
+  part.shade = lerp(state, properties.world_normal, node_0(0.5));
+  part.SIZE_ = rsqrt(atan2(1.0, 2.0)) + fmod(3.0, 2.0);
+  return part.shade * part.SIZE_;
+})";
+  const scene::Scene scene = scene_of_shaders({code, code, code});
+  ASSERT_FALSE(find_fault(scene)) << find_fault(scene)->message;
+  EXPECT_EQ(render::GlslChecker().find_fault(whole_shader(make_scene_shader(scene))).value_or(""), "");
+}
+
+TEST(SceneShader, ACompilersComplaintIsToldWhereTheCodeStands) {
+  const scene::Scene scene =
+      scene_of_shaders({"float3 shade(FragmentProperties p) { return p.world_normal; }",
+                        "\nfloat3 blend;\nfloat3 shade(FragmentProperties p) {\n  return blend * missing;\n}"});
+  const scene::SceneShader shader = make_scene_shader(scene);
+  const std::string complaint = render::GlslChecker().find_fault(whole_shader(shader)).value_or("");
+  const auto place = scene::find_place(shader, complaint);
+  ASSERT_TRUE(place) << complaint;
+  EXPECT_EQ(place->code.file, "s.shader.json");
+  EXPECT_EQ(place->line, 10U);
+  EXPECT_EQ(place->message, "'missing' : undeclared identifier");
+  EXPECT_FALSE(scene::find_place(shader, "0:3: 'x' : undeclared identifier"));
+  EXPECT_FALSE(scene::find_place(shader, "no line at all"));
+}
+
+TEST(SceneShader, ADynamicObjectIsWhereItsTransformIs) {
+  scene::Scene scene = scene_of_shaders({"float3 shade(FragmentProperties p) { return p.object_position; }"});
+  scene.nodes[0].dynamic = scene::Dynamic{"a", {}};
+  const std::string source = make_scene_shader(scene).source;
+  scene.nodes[0].transform = {{1, 2, 3}, {0.1, 0.2, 0.3}, {2, 2, 2}};
+  EXPECT_EQ(make_scene_shader(scene).source, source);
+  const std::vector<float> frames = scene_frames(scene);
+  ASSERT_EQ(frames.size(), 28U);
+  EXPECT_EQ(frames[12], 2.0F);
+  EXPECT_EQ((std::array{frames[19], frames[23], frames[27]}), (std::array{1.0F, 2.0F, 3.0F}));
 }
 
 }  // namespace
