@@ -37,131 +37,28 @@ uniform vec2 trace_display;
 out vec4 trace_value;
 )";
 
-// J. C. Hart, "Sphere tracing", The Visual Computer 12, 1996. A ray that runs out of steps has met nothing. Normals by
-// four values at the corners of a tetrahedron: iquilezles.org/articles/normalsSDF.
-constexpr std::string_view kMarch = R"(
-struct trace_Hit {
-  float t;
-  float steps;
+// What has no need of the scene's distance.
+// The frame of ambient directions: J. R. Frisvad, "Building an orthonormal basis from a 3D unit vector without
+// normalization", Journal of Graphics Tools 16, 2012.
+constexpr std::string_view kLights = R"(
+struct trace_Surface {
+  vec3 place;
+  vec3 normal;
   float slope;
-  float leaf;
-  bool met;
+  float open;
+  int leaf;
+  int material;
+  vec3 n;
+  vec3 x;
+  vec3 y;
 };
 
-const vec3 trace_corners[4] = vec3[4](vec3(1.0, -1.0, -1.0), vec3(-1.0, -1.0, 1.0), vec3(-1.0, 1.0, -1.0), vec3(1.0));
-
-#ifdef TRACE_SLOPES
-float trace_slope_around(vec3 place) {
-  vec3 far = abs(place);
-  float h = 0.001 * (1.0 + max(far.x, max(far.y, far.z)));
-  float values[6];
-  vec3 gradient = vec3(0.0);
-  for (int i = trace_zero; i < 6; ++i) {
-    vec3 offset;
-    if (i < 4) {
-      offset = trace_corners[i] * 0.57735027;
-    } else {
-      float size = length(gradient);
-      offset = size > 0.0 ? gradient / size : vec3(0.0, 1.0, 0.0);
-      if (i == 5) offset = -offset;
-    }
-    values[i] = scene_distance(place + h * offset).x;
-    if (i < 4) gradient += trace_corners[i] * values[i];
-  }
-  float slope = abs(values[4] - values[5]) / 2.0;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = i + 1; j < 4; ++j) slope = max(slope, abs(values[i] - values[j]) / 1.6329932);
-  }
-  return slope / h;
-}
-#endif
-
-trace_Hit trace_march(vec3 direction) {
-  trace_Hit hit = trace_Hit(0.0, 0.0, 0.0, 0.0, false);
-  vec2 found = vec2(0.0);
-  float walked = 0.0;
-  for (int i = trace_zero; i < trace_max_steps; ++i) {
-    vec3 place = trace_eye + hit.t * direction;
-    float before = found.x;
-    found = scene_distance(place);
-    hit.steps += 1.0;
-#ifdef TRACE_SLOPES
-    if (walked > 0.001 * (1.0 + hit.t)) hit.slope = max(hit.slope, abs(found.x - before) / walked);
-    hit.slope = max(hit.slope, trace_slope_around(place));
-#endif
-    if (isnan(found.x)) {
-      hit.t = found.x;
-      return hit;
-    }
-    if (found.x < trace_threshold) {
-      hit.met = true;
-      break;
-    }
-    walked = found.x;
-    hit.t += walked;
-    if (hit.t > trace_max_distance) return hit;
-  }
-  if (hit.met) hit.t += clamp(found.x, -trace_threshold, trace_threshold);
-  hit.leaf = found.y;
-  return hit;
-}
-
-vec3 trace_gradient(vec3 place, float h) {
-  vec3 sum = vec3(0.0);
-  for (int i = trace_zero; i < 4; ++i) sum += trace_corners[i] * scene_distance(place + h * trace_corners[i]).x;
-  return sum / (4.0 * h);
-}
-)";
-
-// Soft shadows: S. Aaltonen, "GPU-based clay simulation and ray-tracing tech in Claybook", GDC 2018, in the words of
-// iquilezles.org/articles/rmshadows. Occlusion: A. Evans, "Fast approximations for global illumination on dynamic
-// scenes", SIGGRAPH 2006 courses. The frame of ambient directions: J. R. Frisvad, "Building an orthonormal basis from a
-// 3D unit vector without normalization", Journal of Graphics Tools 16, 2012.
-constexpr std::string_view kLight = R"(
-float trace_seen(vec3 place, vec3 direction, float reach) {
-#ifdef TRACE_SHADOWS
-  float seen = 1.0;
-  float t = 0.0;
-  float before = 1e20;
-  float near = trace_threshold;
-  for (int i = trace_zero; i < trace_max_steps; ++i) {
-    float d = scene_distance(place + t * direction).x;
-    if (i == trace_zero) near = min(near, 0.5 * d);
-    if (!(d > near)) return 0.0;
-#ifdef TRACE_SOFT
-    float back = d * d / (2.0 * before);
-    float beside = sqrt(max(d * d - back * back, 0.0));
-    seen = min(seen, beside / (trace_light_width * max(t - back, 1e-6)));
-    before = d;
-#endif
-    t += d;
-    if (t > reach) break;
-  }
-  return seen * seen * (3.0 - 2.0 * seen);
-#else
-  return 1.0;
-#endif
-}
-
-float trace_open(vec3 place, vec3 normal, float slope) {
-#ifdef TRACE_OCCLUSION
-  float open = 1.0;
-  float weight = 0.5;
-  for (int i = trace_zero; i < 5; ++i) {
-    float height = trace_occlusion_radius * float(i + 1) / 5.0;
-    float free = scene_distance(place + height * normal).x / slope;
-    open -= weight / 0.96875 * clamp(1.0 - free / height, 0.0, 1.0);
-    weight *= 0.5;
-  }
-  return clamp(open, 0.0, 1.0);
-#else
-  return 1.0;
-#endif
-}
-
-bool trace_is_fine(vec3 value) {
-  return all(greaterThanEqual(value, vec3(0.0))) && all(lessThan(value, vec3(3.4028234e38)));
-}
+struct trace_Light {
+  vec3 direction;
+  vec3 strength;
+  float reach;
+  int steps;
+};
 
 const int trace_ambient_count = 8;
 
@@ -173,81 +70,200 @@ vec3 trace_ambient_direction(vec3 n, int i) {
   return sqrt(part) * (cos(turn) * x + sin(turn) * cross(n, x)) + sqrt(1.0 - part) * n;
 }
 
-vec3 trace_lit(int material, vec3 place, vec3 normal, vec3 view, float slope) {
-  vec3 n = normalize(normal + max(0.001 - dot(normal, view), 0.0) * view);
-  vec3 x = vec3(n.z, 0.0, -n.x);
-  x = dot(x, x) > 1e-12 ? normalize(x) : vec3(1.0, 0.0, 0.0);
-  vec3 y = cross(n, x);
-  vec3 start = place + 4.0 * trace_threshold * normal;
+trace_Light trace_light(int i, trace_Surface surface) {
+  if (i >= trace_light_count) {
+    vec3 strength = trace_ambient * (3.1415927 * surface.open / float(trace_ambient_count));
+    return trace_Light(trace_ambient_direction(surface.n, i - trace_light_count), strength, 0.0, 0);
+  }
+  vec4 at = trace_light_places[i];
+  vec3 towards = at.xyz - at.w * surface.place;
+  float away = length(towards);
+  towards /= away;
+  vec3 strength = trace_light_colours[i] * max(dot(surface.n, towards), 0.0);
+  if (at.w == 0.0) return trace_Light(towards, strength, trace_max_distance, TRACE_SHADOW_STEPS);
+  return trace_Light(towards, strength / (away * away), away, TRACE_SHADOW_STEPS);
+}
+
+float trace_spread(vec3 place) {
+  vec3 far = abs(place);
+  return max(far.x, max(far.y, far.z));
+}
+
+bool trace_is_fine(vec3 value) {
+  return all(greaterThanEqual(value, vec3(0.0))) && all(lessThan(value, vec3(3.4028234e38)));
+}
+
+void trace_set_frame(inout trace_Surface surface, vec3 view) {
+  surface.n = normalize(surface.normal + max(0.001 - dot(surface.normal, view), 0.0) * view);
+  vec3 x = vec3(surface.n.z, 0.0, -surface.n.x);
+  surface.x = dot(x, x) > 1e-12 ? normalize(x) : vec3(1.0, 0.0, 0.0);
+  surface.y = cross(surface.n, surface.x);
+}
+
+vec3 trace_corner_of_tetrahedron(int i) {
+  return vec3(i == 0 || i == 3 ? 1.0 : -1.0, i < 2 ? -1.0 : 1.0, (i & 1) == 0 ? -1.0 : 1.0);
+}
+)";
+
+// Stage 0 follows the ray of the camera, 1 finds the normal, 2 how open the surroundings are, each further one follows
+// the ray to a light, or is a direction of ambient light.
+// Rays: J. C. Hart, "Sphere tracing", The Visual Computer 12, 1996; one that runs out of steps has met nothing.
+// Normals: iquilezles.org/articles/normalsSDF. Soft shadows: S. Aaltonen, "GPU-based clay simulation and ray-tracing
+// tech in Claybook", GDC 2018, in the words of iquilezles.org/articles/rmshadows. Occlusion: A. Evans, "Fast
+// approximations for global illumination on dynamic scenes", SIGGRAPH 2006 courses.
+constexpr std::string_view kStages = R"(
+vec3 trace_ray(vec3 ray) {
+  trace_Surface surface;
+  surface.open = 1.0;
+  trace_Light light;
   vec3 sum = vec3(0.0);
-  float open = trace_open(place, normal, slope);
-  for (int i = trace_zero; i < trace_light_count + trace_ambient_count; ++i) {
-    vec3 light;
-    vec3 strength;
+  int stages = 3 + trace_light_count + trace_ambient_count;
+  for (int stage = trace_zero; stage < stages; ++stage) {
+    vec3 from = trace_eye;
+    vec3 along = ray;
     float reach = trace_max_distance;
-    if (i < trace_light_count) {
-      vec4 at = trace_light_places[i];
-      light = at.xyz - at.w * place;
-      float away = length(light);
-      light /= away;
-      strength = trace_light_colours[i] / (at.w > 0.0 ? away * away : 1.0);
-      if (at.w > 0.0) reach = away;
-    } else {
-      light = trace_ambient_direction(n, i - trace_light_count);
-      strength = trace_ambient * (3.1415927 * open / float(trace_ambient_count));
+    int most = trace_max_steps;
+    float h = 0.0;
+    if (stage == 1) {
+      from = surface.place;
+      most = 4;
+      h = max(trace_threshold, 0.0001 * trace_spread(from));
+    } else if (stage == 2) {
+      from = surface.place;
+      along = surface.normal;
+#ifdef TRACE_OCCLUSION
+      most = 5;
+#else
+      continue;
+#endif
+    } else if (stage > 2) {
+      light = trace_light(stage - 3, surface);
+      if (light.strength == vec3(0.0)) continue;
+      from = surface.place + 4.0 * trace_threshold * surface.normal;
+      along = light.direction;
+      reach = light.reach;
+      most = light.steps;
     }
-    float cosine = dot(n, light);
-    if (!(cosine > 0.0) || strength == vec3(0.0)) continue;
-    float seen = i < trace_light_count ? trace_seen(start, light, reach) : 1.0;
-    if (seen == 0.0) continue;
-    vec3 f = scene_brdf(material, light, view, n, x, y);
-    if (!trace_is_fine(f)) return f;
-    sum += f * strength * (i < trace_light_count ? cosine * seen : 1.0);
+    bool is_ray = stage != 1;
+    float t = 0.0;
+    float near = trace_threshold;
+    float before = 1e20;
+    float seen = 1.0;
+    bool met = false;
+    vec2 found = vec2(0.0);
+    vec3 gradient = vec3(0.0);
+#ifdef TRACE_OCCLUSION
+    float weight = 0.5 / 0.96875;
+    float height = trace_occlusion_radius / 5.0;
+    if (stage == 2) t = height;
+#endif
+    int i = trace_zero;
+    for (; i < most; ++i) {
+      vec3 corner = trace_corner_of_tetrahedron(i);
+      found = scene_distance(from + (is_ray ? t * along : h * corner));
+      gradient += corner * found.x;
+#ifdef TRACE_OCCLUSION
+      if (stage == 2) {
+        surface.open -= weight * clamp(1.0 - found.x / (surface.slope * t), 0.0, 1.0);
+        weight *= 0.5;
+        t += height;
+        continue;
+      }
+#endif
+      if (i == 0 && stage > 2) near = min(near, 0.5 * found.x);
+      met = !(found.x > near);
+#ifdef TRACE_SOFT
+      float back = found.x * found.x / (2.0 * before);
+      float beside = sqrt(max(found.x * found.x - back * back, 0.0));
+      seen = min(seen, beside / (trace_light_width * max(t - back, 1e-6)));
+      before = found.x;
+#endif
+      t += found.x;
+      if (is_ray && (met || t > reach)) break;
+    }
+    if (stage == 0) {
+      if (isnan(found.x)) return vec3(found.x);
+      if (trace_view == 3) return vec3(log2(float(min(i + 2, most + 1))) / log2(float(most + 1)));
+      if (!met) return trace_view == 0 ? trace_background : vec3(0.0);
+      t += max(-trace_threshold - found.x, 0.0);
+      if (trace_view == 2) return vec3(1.0 / (1.0 + pow(abs(t) / trace_depth, 4.0)));
+      surface.place = trace_eye + t * ray;
+      surface.leaf = int(found.y + 0.5);
+    } else if (stage == 1) {
+      float slope = length(gradient) / (4.0 * h);
+      surface.normal = slope > 0.0 ? gradient / (4.0 * h * slope) : -ray;
+      surface.slope = slope > 0.01 ? slope : 1.0;
+      if (trace_view == 1) return 0.5 + 0.5 * surface.normal;
+      surface.material = scene_material(surface.leaf);
+      if (!scene_is_lit(surface.material)) {
+        vec3 in_object = surface.place - scene_origin(surface.leaf);
+        return scene_shade(surface.material, FragmentProperties(surface.place, in_object, surface.normal, ray,
+                                                                distance(surface.place, trace_eye)));
+      }
+      trace_set_frame(surface, -ray);
+    } else if (stage == 2) {
+      surface.open = max(surface.open, 0.0);
+    } else if (!met && seen > 0.0) {
+      vec3 f = scene_brdf(surface.material, light.direction, -ray, surface.n, surface.x, surface.y);
+      if (!trace_is_fine(f)) return f;
+      sum += f * light.strength * (seen * seen * (3.0 - 2.0 * seen));
+    }
   }
   return sum;
 }
 )";
 
-constexpr std::string_view kSurface = R"(
-vec3 trace_surface(trace_Hit hit, vec3 direction) {
-  if (!hit.met) return trace_view == 1 ? vec3(0.0) : trace_background;
-  vec3 place = trace_eye + hit.t * direction;
-  vec3 far = abs(place);
-  vec3 gradient = trace_gradient(place, max(trace_threshold, 0.0001 * max(far.x, max(far.y, far.z))));
-  float slope = length(gradient);
-  vec3 normal = slope > 0.0 ? gradient / slope : -direction;
-  if (trace_view == 1) return 0.5 + 0.5 * normal;
-  int leaf = int(hit.leaf + 0.5);
-  int material = scene_material(leaf);
-  if (scene_is_lit(material)) return trace_lit(material, place, normal, -direction, slope > 0.01 ? slope : 1.0);
-  return scene_shade(material, FragmentProperties(place, place - scene_origin(leaf), normal, direction, hit.t));
-}
-)";
-
 constexpr std::string_view kSlopes = R"(
-vec3 trace_steep(trace_Hit hit) {
-  if (hit.slope <= 1.01) return vec3(hit.met ? 0.25 * (1.0 - hit.steps / float(trace_max_steps)) : 0.0);
-  float stops = clamp(log2(hit.slope), 0.0, 2.0);
+vec3 trace_steepness(float slope, bool met, int steps) {
+  if (slope <= 1.01) return vec3(met ? 0.25 * (1.0 - float(steps) / float(trace_max_steps)) : 0.0);
+  float stops = clamp(log2(slope), 0.0, 2.0);
   return stops < 1.0 ? mix(vec3(1.0, 0.6, 0.0), vec3(1.0, 0.0, 0.0), stops)
                      : mix(vec3(1.0, 0.0, 0.0), vec3(1.0), stops - 1.0);
+}
+
+float trace_slope_between(float values[7]) {
+  float slope = abs(values[5] - values[6]) / 2.0;
+  for (int i = 1; i < 4; ++i) {
+    for (int j = i + 1; j < 5; ++j) slope = max(slope, abs(values[i] - values[j]) / 1.6329932);
+  }
+  return slope;
+}
+
+vec3 trace_ray(vec3 ray) {
+  float t = 0.0;
+  float walked = 0.0;
+  float before = 0.0;
+  float slope = 0.0;
+  float values[7];
+  bool met = false;
+  int i = trace_zero;
+  for (; i < trace_max_steps; ++i) {
+    vec3 place = trace_eye + t * ray;
+    float h = 0.001 * (1.0 + trace_spread(place));
+    vec3 gradient = vec3(0.0);
+    for (int k = trace_zero; k < 7; ++k) {
+      vec3 corner = trace_corner_of_tetrahedron((k + 3) & 3);
+      float size = length(gradient);
+      vec3 offset = k == 0 ? vec3(0.0) : corner * 0.57735027;
+      if (k > 4) offset = (k == 5 ? 1.0 : -1.0) * (size > 0.0 ? gradient / size : vec3(0.0, 1.0, 0.0));
+      values[k] = scene_distance(place + h * offset).x;
+      if (k > 0 && k < 5) gradient += corner * values[k];
+    }
+    if (isnan(values[0])) return vec3(values[0]);
+    slope = max(slope, trace_slope_between(values) / h);
+    if (walked > 0.001 * (1.0 + t)) slope = max(slope, abs(values[0] - before) / walked);
+    met = values[0] < trace_threshold;
+    if (met) break;
+    walked = values[0];
+    before = walked;
+    t += walked;
+    if (t > trace_max_distance) break;
+  }
+  return trace_steepness(slope, met, i + 1);
 }
 )";
 
 constexpr std::string_view kMain = R"(
-vec3 trace_ray(vec3 direction) {
-  trace_Hit hit = trace_march(direction);
-  if (isnan(hit.t)) return vec3(hit.t);
-#ifdef TRACE_SLOPES
-  return trace_steep(hit);
-#else
-  if (trace_view < 2) return trace_surface(hit, direction);
-  if (trace_view == 3) return vec3(log2(1.0 + hit.steps) / log2(1.0 + float(trace_max_steps)));
-  float part = hit.t / trace_depth;
-  part *= part;
-  return vec3(hit.met ? 1.0 / (1.0 + part * part) : 0.0);
-#endif
-}
-
 vec3 trace_shown(vec3 value) {
   if (any(isnan(value))) return trace_bad_not_a_number;
   if (any(isinf(value))) return trace_bad_infinite;
@@ -284,12 +300,9 @@ std::string bad_colours() {
 }
 
 std::string defines(const SceneEffects& effects) {
-  if (effects.slopes) return "#define TRACE_SLOPES\n";
-  std::string text;
-  if (effects.shadows != Shadows::None) text += "#define TRACE_SHADOWS\n";
-  if (effects.shadows == Shadows::Soft) text += "#define TRACE_SOFT\n";
-  if (effects.occlusion) text += "#define TRACE_OCCLUSION\n";
-  return text;
+  return fmt::format("#define TRACE_SHADOW_STEPS {}\n{}{}", effects.shadows == Shadows::None ? "0" : "trace_max_steps",
+                     effects.shadows == Shadows::Soft ? "#define TRACE_SOFT\n" : "",
+                     effects.occlusion ? "#define TRACE_OCCLUSION\n" : "");
 }
 
 }  // namespace
@@ -298,16 +311,13 @@ std::string scene_fragment_text(std::string_view source, const SceneEffects& eff
   std::string text = "#version 330 core\n#line 1 0\n";
   text += source;
   text += "\n#line 1 0\n";
-  text += defines(effects);
+  text += defines(effects.slopes ? SceneEffects() : effects);
   text += kUniforms;
   text += bad_colours();
-  text += kMarch;
-  if (effects.slopes) {
-    text += kSlopes;
-  } else {
-    text.append(kLight).append(kSurface);
-  }
-  return text.append(kMain);
+  text += kLights;
+  text += effects.slopes ? kSlopes : kStages;
+  text += kMain;
+  return text;
 }
 
 }  // namespace texbrdf::render
