@@ -4,6 +4,7 @@
 
 #include "features/model_parameters.h"
 #include "lsp/session.h"
+#include "lsp/write_frame_parts.h"
 #include "render/base64.h"
 
 namespace texbrdf::lsp {
@@ -43,13 +44,9 @@ void write_frame(JsonWriter& out, const std::string& uri, const preview::Frame& 
   out.member("height", frame.size);
   out.member("png", render::base64(frame.png));
   out.member("milliseconds", frame.milliseconds);
-  out.key("badPixels");
-  out.begin_object();
-  out.member("nan", frame.bad_pixels[render::BadPixel::NotANumber]);
-  out.member("infinite", frame.bad_pixels[render::BadPixel::Infinite]);
-  out.member("negative", frame.bad_pixels[render::BadPixel::Negative]);
-  out.end_object();
+  write_bad_pixels(out, frame.bad_pixels);
   out.member("current", frame.is_current);
+  if (frame.all_samples > 0) write_samples(out, frame.samples, frame.all_samples);
   out.end_object();
 }
 
@@ -71,7 +68,7 @@ Session::Outcome Session::open_preview(const OpenPreviewParams& params, JsonWrit
   if (previews_.are_many() || scene_previews_.are_many())
     return ResponseError{ErrorCode::RequestFailed, "too many previews are open"};
   OpenPreview preview{.viewer = kEditor, .uri = params.uri, .root = {}, .view = {}, .values = {}};
-  if (auto fault = change_view(params.view, preview)) return ResponseError{ErrorCode::InvalidParams, *std::move(fault)};
+  if (auto fault = change(params.view, preview)) return ResponseError{ErrorCode::InvalidParams, *std::move(fault)};
   const Snapshot& snapshot = open->document.snapshot();
   result.begin_object();
   result.member("preview", previews_.open(preview));
@@ -82,10 +79,16 @@ Session::Outcome Session::open_preview(const OpenPreviewParams& params, JsonWrit
   return std::nullopt;
 }
 
+std::optional<std::string> Session::change(const ViewChange& change, OpenPreview& preview) {
+  if (auto fault = change_view(change, preview)) return fault;
+  const auto may_read = [this](const std::string& path) { return documents_.projects().may_read(path); };
+  return change_object(change.object, preview.uri, may_read, preview.object);
+}
+
 std::string Session::update_preview(const UpdatePreviewParams& params) {
   OpenPreview* const preview = previews_.find(params.preview);
   if (preview == nullptr) return unknown_preview(params.preview);
-  if (auto fault = change_view(params.view, *preview)) return *std::move(fault);
+  if (auto fault = change(params.view, *preview)) return *std::move(fault);
   if (!preview->is_stale) show(params.preview, *preview);
   return {};
 }

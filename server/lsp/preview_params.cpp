@@ -44,6 +44,7 @@ ViewChange view_change(Reader& reader, json* object) {
   change.zoom = reader.number(object, "zoom");
   change.exposure = reader.number(object, "exposure");
   change.gamma = reader.number(object, "gamma");
+  change.object = read_object(reader, object);
   if (Reader::optional(object, "cosine") != nullptr) change.cosine = reader.boolean(object, "cosine");
   return change;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "lsp/object_params.h"
 #include "plots/request.h"
 #include "render/sphere.h"
 
@@ -20,6 +21,7 @@ struct ViewChange {
   std::optional<double> theta, phi;  ///< degrees
   std::optional<double> zoom, exposure, gamma;
   std::optional<bool> cosine;
+  ObjectChange object;
 };
 
 struct OpenPreviewParams {

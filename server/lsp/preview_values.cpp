@@ -237,7 +237,7 @@ Session::Outcome Session::probe(const ProbeParams& params, JsonWriter& result) {
   const OpenPreview* const preview = present_preview(params.preview);
   if (preview == nullptr) return ResponseError{ErrorCode::InvalidParams, unknown_preview(params.preview)};
   const auto probe = preview::probe_surface(preview->view, params.place);
-  if (probe && !has_nothing(preview->exact)) {
+  if (probe && preview->object.is_plain() && !has_nothing(preview->exact)) {
     write_probe(result, preview->exact, *probe, params.definition);
   } else {
     result.null();
@@ -249,7 +249,7 @@ Session::Outcome Session::bad_pixels(const PreviewParams& params, JsonWriter& re
   const OpenPreview* const preview = present_preview(params.preview);
   if (preview == nullptr) return ResponseError{ErrorCode::InvalidParams, unknown_preview(params.preview)};
   const ExactValues& exact = preview->exact;
-  if (has_nothing(exact)) {
+  if (has_nothing(exact) || !preview->object.is_plain()) {
     result.null();
     return std::nullopt;
   }

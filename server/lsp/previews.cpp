@@ -9,7 +9,7 @@ namespace texbrdf::lsp {
 namespace {
 
 preview::Scene scene_of(const OpenPreview& preview, const Snapshot& snapshot, int64_t version) {
-  return {snapshot, preview.model, version, preview.root, preview.view, preview.values};
+  return {snapshot, preview.model, version, preview.root, preview.view, preview.values, preview.object};
 }
 
 }  // namespace

@@ -27,6 +27,7 @@ struct OpenPreview {
   std::string uri;
   std::string root;  ///< canonical; empty: the document's own
   render::SphereView view;
+  preview::ObjectLook object = {};
   std::map<std::string, std::vector<double>> values;  ///< set by sliders
   bool is_stale = true;                               ///< its document has changed since it was shown
   uint64_t model = 0;                                 ///< of the scene that was shown last

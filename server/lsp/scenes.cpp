@@ -8,6 +8,7 @@
 
 #include "lsp/session.h"
 #include "lsp/uri.h"
+#include "lsp/write_frame_parts.h"
 #include "render/base64.h"
 #include "render/shader_complaint.h"
 #include "scene_json/code_mistake.h"
@@ -27,17 +28,12 @@ void write_frame(JsonWriter& out, const std::string& uri, const preview::SceneFr
   out.member("version", frame.version);
   out.member("source", "gpu");
   out.member("view", view_word(frame.view));
-  out.member("samples", frame.samples);
+  write_samples(out, frame.samples, frame.all_samples);
   out.member("width", frame.width);
   out.member("height", frame.height);
   out.member("png", render::base64(frame.png));
   out.member("milliseconds", frame.milliseconds);
-  out.key("badPixels");
-  out.begin_object();
-  out.member("nan", frame.bad_pixels[render::BadPixel::NotANumber]);
-  out.member("infinite", frame.bad_pixels[render::BadPixel::Infinite]);
-  out.member("negative", frame.bad_pixels[render::BadPixel::Negative]);
-  out.end_object();
+  write_bad_pixels(out, frame.bad_pixels);
   out.member("current", frame.is_current);
   out.end_object();
 }

@@ -233,6 +233,8 @@ class Session {
   // preview.cpp
   Outcome open_preview(const OpenPreviewParams& params, JsonWriter& result);
   std::string update_preview(const UpdatePreviewParams& params);
+  /// Why it cannot be, or nothing.
+  std::optional<std::string> change(const ViewChange& change, OpenPreview& preview);
   std::string close_preview(const PreviewParams& params);
   std::string frame_shown(const PreviewParams& params);
   std::string set_parameter(const SetParameterParams& params);

@@ -19,6 +19,7 @@ using FileReader = std::function<Result<std::string>(const std::string& path)>;
 struct LightChoice {
   std::string light = "directional";  ///< or sky, furnace, FILE.hdr
   lighting::Sky sky;
+  friend bool operator==(const LightChoice&, const LightChoice&) = default;
 };
 
 /// The mesh of `sphere` (which has none), `teapot` or FILE.obj, in the unit sphere.

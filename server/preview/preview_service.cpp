@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "preview/cpu_frame.h"
+#include "preview/object_painter.h"
 #include "preview/recent_shader_models.h"
 #include "render/png.h"
 
@@ -60,6 +61,9 @@ struct Slot {
   std::optional<uint64_t> linked_model;  // of the scene that this was found for
   std::optional<SceneState> state;       // to be told
   std::optional<Frame> ready;
+  bool more_on_cpu = false;  // samples are missing in what was drawn last
+  bool more_on_gpu = false;
+  bool lacks_files = false;                               // of an object or its light; told
   std::pair<uint64_t, Device> newest = {0, Device::Cpu};  // the serial of the last frame that was ready
   bool on_its_way = false;
 };
@@ -155,13 +159,14 @@ class PreviewService::Painter {
   }
 
   std::optional<Work> next_for_cpu() {
-    return next(&Slot::turn_on_cpu, [](const Slot& slot) { return slot.drawn_on_cpu < slot.serial; });
+    return next(&Slot::turn_on_cpu,
+                [](const Slot& slot) { return slot.drawn_on_cpu < slot.serial || slot.more_on_cpu; });
   }
 
   std::optional<Work> next_for_gpu() {
     if (has_no_gpu_) return std::nullopt;
     return next(&Slot::turn_on_gpu, [](const Slot& slot) {
-      return slot.linked == slot.serial && slot.good && slot.drawn_on_gpu < slot.serial;
+      return slot.linked == slot.serial && slot.good && (slot.drawn_on_gpu < slot.serial || slot.more_on_gpu);
     });
   }
 
@@ -219,11 +224,44 @@ class PreviewService::Painter {
 
   std::optional<Frame> draw_on_cpu(const Work& work, render::SphereCache& cache) {
     if (!work.drawable) return std::nullopt;
+    if (!work.scene->object.is_plain()) {
+      return draw_object(work, Device::Cpu, objects_on_cpu_, evaluator_on_cpu(work.drawable->cpu));
+    }
     render::SphereView view = work.scene->view;
     view.size = std::min(view.size, work.max_size);
     const Clock::time_point begin = Clock::now();
     const auto picture = preview::draw_on_cpu(work.drawable->cpu, view, cache, [&] { return is_wanted(work, begin); });
-    return picture ? std::optional(make_frame(work, Device::Cpu, *picture)) : std::nullopt;
+    if (!picture) return std::nullopt;
+    tell_of_files(work, {});
+    return make_frame(work, Device::Cpu, *picture);
+  }
+
+  std::optional<Frame> draw_object(const Work& work, Device device, ObjectPainter& painter,
+                                   const TableEvaluator& evaluate) {
+    render::SphereView view = work.scene->view;
+    view.size = std::min(view.size, device == Device::Cpu ? work.max_size : kMaxCpuSize);
+    const Clock::time_point begin = Clock::now();
+    const ObjectPainter::Outcome outcome = painter.draw({work.preview, work.serial, work.scene->object, view}, evaluate,
+                                                        [&] { return is_wanted(work, begin); });
+    if (const auto* fault = std::get_if<render::RenderFault>(&outcome)) note_render_fault(*fault);
+    if (const auto* failure = std::get_if<Failure>(&outcome)) tell_of_files(work, failure->message);
+    const auto* const drawn = std::get_if<ObjectPainter::Drawn>(&outcome);
+    if (drawn == nullptr) return std::nullopt;
+    tell_of_files(work, {});
+    Frame frame = make_frame(work, device, drawn->picture);
+    frame.samples = drawn->samples;
+    frame.all_samples = drawn->all_samples;
+    return frame;
+  }
+
+  /// What is wrong with the files of an object, or that nothing is any more.
+  void tell_of_files(const Work& work, const std::string& problem) {
+    const std::lock_guard lock(mutex_);
+    const auto found = slots_.find(work.preview);
+    if (found == slots_.end() || found->second.serial != work.serial) return;
+    if (problem.empty() && (!found->second.lacks_files || !work.is_current)) return;
+    found->second.lacks_files = !problem.empty();
+    found->second.state = SceneState{work.preview, work.scene->version, problem};
   }
 
   bool is_wanted(const Work& work, Clock::time_point begin) {
@@ -275,13 +313,20 @@ class PreviewService::Painter {
       note_fault(model.error());
       return std::nullopt;
     }
+    if (!work.scene->object.is_plain()) {
+      return draw_object(work, Device::Gpu, objects_on_gpu_, evaluator_on_gpu(worker_, **model));
+    }
     const auto drawn = worker_.draw(**model, work.scene->view);
     if (const auto* fault = std::get_if<render::RenderFault>(&drawn)) {
-      note_fault(fault->message);
-      if (fault->kind == render::RenderFaultKind::NoRenderer) give_up_gpu();
+      note_render_fault(*fault);
       return std::nullopt;
     }
     return make_frame(work, Device::Gpu, std::get<render::GpuPicture>(drawn).picture);
+  }
+
+  void note_render_fault(const render::RenderFault& fault) {
+    note_fault(fault.message);
+    if (fault.kind == render::RenderFaultKind::NoRenderer) give_up_gpu();
   }
 
   void note_fault(std::string message) {
@@ -304,6 +349,9 @@ class PreviewService::Painter {
       const auto found = slots_.find(work.preview);
       if (found == slots_.end()) return;
       note_drawn(work, device, found->second);
+      const bool more = frame && frame->samples < frame->all_samples;
+      if (device == Device::Gpu) found->second.more_on_gpu = more;
+      if (device == Device::Cpu) found->second.more_on_cpu = more && has_no_gpu_;
       const std::pair age(work.serial, device);
       if (frame && age >= found->second.newest) {
         found->second.newest = age;
@@ -322,7 +370,10 @@ class PreviewService::Painter {
   }
 
   std::function<void()> wake_;
+  // Of the CPU's thread.
+  ObjectPainter objects_on_cpu_;
   // Of the GPU's thread.
+  ObjectPainter objects_on_gpu_;
   render::RenderWorker worker_;
   RecentShaderModels emitted_;
 

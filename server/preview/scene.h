@@ -8,6 +8,7 @@
 
 #include "analysis/snapshot.h"
 #include "ir/program.h"
+#include "preview/object_look.h"
 #include "render/bad_pixels.h"
 #include "render/sphere.h"
 #include "source/result.h"
@@ -22,6 +23,7 @@ struct Scene {
   std::string root;     ///< canonical; empty: the document's own
   render::SphereView view;
   std::map<std::string, std::vector<double>> values = {};  ///< of parameters, in the place of those in the document
+  ObjectLook object = {};
 };
 
 /// All that the scene's BRDF needs, with the scene's values; or why it cannot be drawn.
@@ -38,7 +40,9 @@ struct Frame {
   std::vector<uint8_t> png;
   double milliseconds = 0;  ///< from the scene's arrival to the encoded picture
   render::BadPixelCounts bad_pixels;
-  bool is_current = true;  ///< false: the scene cannot be drawn, this is the last one that could
+  bool is_current = true;    ///< false: the scene cannot be drawn, this is the last one that could
+  uint32_t samples = 0;      ///< so far, of each pixel
+  uint32_t all_samples = 0;  ///< that there will be; 0 where none are taken
 };
 
 /// Whether the scene can be drawn.

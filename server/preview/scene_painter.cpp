@@ -55,6 +55,11 @@ bool is_power_of_two(uint32_t number) {
   return (number & (number - 1)) == 0;
 }
 
+/// Only colours become better with more samples.
+uint32_t all_samples(const SceneShot& shot) {
+  return shot.look.view == render::SceneView::Shaded ? kMostPreviewSamples : 1;
+}
+
 SceneFrame make_frame(const Work& work, const render::ScenePicture& picture, uint32_t samples) {
   const SceneShot& shot = *work.shot;
   const render::Picture shown = picture.picture(shot.look.view, shot.display);
@@ -62,6 +67,7 @@ SceneFrame make_frame(const Work& work, const render::ScenePicture& picture, uin
   frame.width = picture.width();
   frame.height = picture.height();
   frame.samples = samples;
+  frame.all_samples = all_samples(shot);
   frame.view = shot.look.view;
   frame.is_current = shot.is_current;
   frame.png = render::encode_png(shown.image, render::PngEffort::Fast);
@@ -239,7 +245,7 @@ class ScenePainter::Thread {
     }
     slot.picture = std::move(work.picture);
     slot.samples = samples;
-    slot.is_over = samples >= kMostPreviewSamples || work.shot->look.view != render::SceneView::Shaded;
+    slot.is_over = samples >= all_samples(*work.shot);
   }
 
   void give_up(const Work& work, render::RenderFault fault) {

@@ -33,7 +33,8 @@ struct SceneFrame {
   int64_t version = 0;
   uint32_t width = 0;
   uint32_t height = 0;
-  uint32_t samples = 0;  ///< of each pixel
+  uint32_t samples = 0;      ///< so far, of each pixel
+  uint32_t all_samples = 0;  ///< that there will be
   render::SceneView view = render::SceneView::Shaded;
   std::vector<uint8_t> png;
   double milliseconds = 0;  ///< from the shot's arrival to the encoded picture

@@ -2,6 +2,7 @@
 import type { Range, WorkspaceEdit } from 'vscode-languageserver-protocol';
 import type { OpenSceneParams, OpenSceneResult, SceneInputParams, SceneKeys, UpdateSceneParams } from './scene_protocol';
 import type { Plot, PlotParams, Surface } from './plot_protocol';
+import type { ObjectLook } from './preview/object_look';
 
 export type * from './plot_protocol';
 export type * from './scene_protocol';
@@ -22,6 +23,8 @@ export interface Look {
   gamma: number;
   /** Whether the value is multiplied by N·L. */
   cosine: boolean;
+  /** Left out: the sphere in the directional light. */
+  object?: ObjectLook;
 }
 
 /** Device pixels. */
@@ -59,6 +62,11 @@ export interface BadPixels {
   negative: number;
 }
 
+export interface Samples {
+  drawn: number;
+  all: number;
+}
+
 export interface FrameParams extends Size {
   preview: number;
   uri: string;
@@ -72,8 +80,8 @@ export interface FrameParams extends Size {
   current: boolean;
   /** Of a scene. */
   view?: string;
-  /** Of each pixel of a scene. */
-  samples?: number;
+  /** Of each pixel, where a picture becomes better with more. */
+  samples?: Samples;
 }
 
 export interface PreviewStateParams {

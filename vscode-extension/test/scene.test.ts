@@ -38,8 +38,8 @@ test('what is done in the page goes to the server, a new size too', async () => 
 
 test('frames of a scene are shown and acknowledged; one may bring another view', async () => {
   const fake = await openedScene();
-  fake.session.frameArrived({ ...frame(1), view: 'normals', samples: 4 });
-  assert.equal(fake.ofType('picture')[0]?.picture.samples, 4);
+  fake.session.frameArrived({ ...frame(1), view: 'normals', samples: { drawn: 4, all: 64 } });
+  assert.deepEqual(fake.ofType('picture')[0]?.picture.samples, { drawn: 4, all: 64 });
   assert.equal(fake.ofType('scene').at(-1)?.view, 'normals');
   await fake.session.pageSays({ type: 'shown' });
   assert.deepEqual(fake.toldOf('texbrdf/frameShown'), [{ preview: 1 }]);

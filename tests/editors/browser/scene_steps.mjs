@@ -43,7 +43,7 @@ export function sceneSteps({ program, editor, untilTrue, difference, shot, most 
       writeFileSync(file, text);
       editor.notify('textDocument/didOpen', { textDocument: { uri, languageId: 'json', version: ++version, text } });
       await page.locator('#name', { hasText: 'ball.scene.json' }).waitFor();
-      await page.locator('#status', { hasText: /\d+ samples · / }).waitFor();
+      await page.locator('#status', { hasText: /\d+ of 64 samples · / }).waitFor();
       assert.ok(!await page.locator('#parameters, #plots, #readout').first().isVisible(), 'there are controls of a BRDF');
       await shot(page, 'scene');
     },

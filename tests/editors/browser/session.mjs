@@ -126,6 +126,36 @@ const steps = {
     await page.keyboard.press('0');
     await picture(page);
   },
+  'a teapot in a furnace becomes better until all samples are drawn, and turns where it is dragged': async (page) => {
+    await page.locator('#shape').selectOption('teapot');
+    await picture(page, ['--object', 'teapot']);
+    await shot(page, 'teapot');
+    await page.locator('#lightSource').selectOption('furnace');
+    await page.locator('#samples').fill('12');
+    await page.locator('#samples').blur();
+    await page.locator('#status', { hasText: '12 of 12 samples' }).waitFor();
+    await picture(page, ['--object', 'teapot', '--light', 'furnace', '--samples', '12']);
+    await shot(page, 'teapot-furnace');
+    await page.locator('#lightSource').selectOption('sky');
+    await page.locator('#status', { hasText: '12 of 12 samples' }).waitFor();
+    const before = await page.locator('#picture').getAttribute('src');
+    await page.locator('#stage').focus();
+    for (let presses = 0; presses < 6; ++presses) await page.keyboard.press('ArrowRight');
+    await untilTrue('the teapot did not turn', async () => await difference(page, before.split(',')[1]) > 20);
+    await page.locator('#status', { hasText: '12 of 12 samples' }).waitFor();
+    await picture(page, ['--object', 'teapot', '--light', 'sky', '--samples', '12', '--yaw', '0', '--pitch', '20']);
+    await shot(page, 'teapot-sky');
+  },
+  'a file that may not be read is told of': async (page) => {
+    await page.locator('#shape').selectOption('file');
+    await page.locator('#shapePath').fill('/etc/cup.obj');
+    await page.locator('#shapePath').blur();
+    await page.locator('#notice', { hasText: 'in no folder that is open' }).waitFor();
+    await page.locator('#shape').selectOption('sphere');
+    await page.locator('#lightSource').selectOption('directional');
+    await page.locator('#stage[data-state="good"]').waitFor();
+    await picture(page);
+  },
   'a name leads to its place in the editor': async (page) => {
     await page.locator('.row button.link').click();
     await untilTrue('the editor was not led', () => editor.shown.length > 0);

@@ -33,6 +33,11 @@ class Client {
     Document document(equations);
     service_.show(1, {document.snapshot(), model_, version, "", {.size = 33, .theta = 10}, {}});
   }
+  /// What is shown already, made of something else.
+  void show_object(const std::string& equations, const ObjectLook& object) {
+    Document document(equations);
+    service_.show(1, {document.snapshot(), model_, 1, "", kView, {}, object});
+  }
   /// Another preview, of a larger picture.
   void show_beside(const std::string& equations) {
     Document document(equations);
@@ -262,6 +267,81 @@ TEST(PreviewService, EndsWhileItDraws) {
     client.show(equation("f = 0.5"), 1);
     client.show(equation("f = 0.6"), 2);
   }
+}
+
+ObjectLook furnace(uint32_t samples) {
+  ObjectLook look;
+  look.shape = "teapot";
+  look.light.light = "furnace";
+  look.samples = samples;
+  return look;
+}
+
+TEST(PreviewService, PicturesOfObjectsBecomeBetterUntilAllSamplesAreDrawn) {
+  Client client;
+  client.show(equation("f = 0.3*1"), 1);
+  ASSERT_TRUE(client.next_frame());
+  client.acknowledge();
+  client.show_object(equation("f = 0.3*1"), furnace(40));
+  uint32_t last = 0;
+  while (last < 40) {
+    const auto frame = client.next_frame();
+    ASSERT_TRUE(frame);
+    client.acknowledge();
+    if (frame->all_samples == 0) continue;  // of the sphere
+    EXPECT_GT(frame->samples, last);
+    EXPECT_EQ(frame->all_samples, 40);
+    last = frame->samples;
+  }
+  EXPECT_EQ(last, 40);
+}
+
+TEST(PreviewService, ASceneThatChangesBeginsAnew) {
+  Client client;
+  client.show(equation("f = 0.3*1"), 1);
+  client.show_object(equation("f = 0.3*1"), furnace(65'000));
+  std::optional<Frame> frame = client.next_frame();
+  while (frame && frame->samples < 2) {
+    client.acknowledge();
+    frame = client.next_frame();
+  }
+  ASSERT_TRUE(frame);
+  client.acknowledge();
+  client.show_object(equation("f = 0.3*1"), furnace(2));
+  while (frame && frame->all_samples != 2) {
+    frame = client.next_frame();
+    client.acknowledge();
+  }
+  ASSERT_TRUE(frame);
+  EXPECT_LE(frame->samples, 2);
+}
+
+TEST(PreviewService, AnObjectInTheDirectionalLightIsDrawnOnce) {
+  Client client;
+  client.show(equation("f = 0.3*1"), 1);
+  ObjectLook look;
+  look.shape = "teapot";
+  client.show_object(equation("f = 0.3*1"), look);
+  std::optional<Frame> frame = client.next_frame();
+  client.acknowledge();
+  ASSERT_TRUE(frame);
+  EXPECT_EQ(frame->all_samples, 0);
+}
+
+TEST(PreviewService, AFileThatCannotBeReadIsToldUntilAnotherIsNamed) {
+  Client client;
+  client.show(equation("f = 0.3*1"), 1);
+  ASSERT_TRUE(client.next_state());
+  ObjectLook look;
+  look.shape = "/nowhere/cup.obj";
+  client.show_object(equation("f = 0.3*1"), look);
+  std::optional<SceneState> state = client.next_state();
+  ASSERT_TRUE(state);
+  EXPECT_EQ(state->problem, "cannot read /nowhere/cup.obj");
+  client.show_object(equation("f = 0.3*1"), furnace(1));
+  state = client.next_state();
+  ASSERT_TRUE(state);
+  EXPECT_EQ(state->problem, "");
 }
 
 }  // namespace

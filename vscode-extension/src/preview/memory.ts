@@ -1,5 +1,6 @@
 // What a preview needs to be as it was when the window is loaded again.
 import type { Light, Look } from '../protocol';
+import { isObjectLook } from './object_look';
 
 export interface Memory {
   uri: string;
@@ -16,8 +17,8 @@ export function memoryFrom(kept: unknown): Memory | undefined {
 }
 
 function isLook(value: unknown): value is Look {
-  const { light, zoom, exposure, gamma, cosine } = membersOf(value);
-  return isLight(light) && [zoom, exposure, gamma].every(Number.isFinite) && typeof cosine === 'boolean';
+  const { light, zoom, exposure, gamma, cosine, object } = membersOf(value);
+  return (object === undefined || isObjectLook(object)) && isLight(light) && [zoom, exposure, gamma].every(Number.isFinite) && typeof cosine === 'boolean';
 }
 
 function isLight(value: unknown): value is Light {

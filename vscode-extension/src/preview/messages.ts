@@ -1,5 +1,5 @@
 // What the preview's page and the extension tell each other.
-import type { BadPixels, Definition, Direction, FirstBadPixel, Light, Look, Parameter, Plot, PlotAngles, PlotKind, Point, Probed, SceneInput, SceneKeys, SceneView, Surface, Value } from '../protocol';
+import type { BadPixels, Definition, Direction, FirstBadPixel, Light, Look, Parameter, Plot, PlotAngles, PlotKind, Point, Probed, Samples, SceneInput, SceneKeys, SceneView, Surface, Value } from '../protocol';
 import type { Memory } from './memory';
 
 export type { BadPixels, Definition, Direction, FirstBadPixel, Light, Look, Memory, Parameter, Plot, PlotAngles, PlotKind, Point, Probed, SceneInput, SceneKeys, SceneView, Surface, Value };
@@ -23,8 +23,7 @@ export interface Picture {
   milliseconds: number;
   badPixels: BadPixels;
   current: boolean;
-  /** Of each pixel of a scene. */
-  samples?: number;
+  samples?: Samples;
 }
 
 /** What is kept to be compared with what comes later. */

@@ -42,8 +42,8 @@ export class Pictures {
   post(): void {
     if (this.frame === undefined) return;
     const { version, source, width, height, png, milliseconds, badPixels, current, samples } = this.frame;
-    const picture = { version, source, width, height, png, milliseconds, badPixels, current };
-    this.shown.post({ type: 'picture', picture: samples === undefined ? picture : { ...picture, samples } });
+    const counted = samples === undefined ? {} : { samples };
+    this.shown.post({ type: 'picture', picture: { version, source, width, height, png, milliseconds, badPixels, current, ...counted } });
   }
 
   postState(): void {

@@ -1,10 +1,12 @@
 // How the sphere looks: light and zoom by pointer and keys, the rest by controls.
 import type { Look } from '../messages';
+import { isPlain, orbited, plainObject, withStandardOrbit } from '../object_look';
 import { unmarkBadPixel } from './bad_pixels';
 import { element, oncePerFrame, tell } from './host';
 import { nudged, onSphere, turned } from './light';
 import type { Vector } from './light';
 import { clamped } from './numbers';
+import { showObject, watchObject } from './object';
 import { pictureBox } from './picture_box';
 
 const sphereOfPicture = 0.9;
@@ -14,6 +16,7 @@ const zoomPerKey = 1.1;
 const zoomPerPixel = 0.0015;
 const degreesPerKey = 5;
 const degreesPerFineKey = 1;
+const degreesPerPicture = 180;
 
 const stage = element('stage');
 const sliders = { exposure: element<HTMLInputElement>('exposure'), gamma: element<HTMLInputElement>('gamma') };
@@ -36,6 +39,7 @@ export function showLook(given: Look, standardLook: Look): void {
 
 export function watchLook(): void {
   watchPointer();
+  watchObject((object) => { change({ object }); });
   stage.addEventListener('wheel', (event) => {
     event.preventDefault();
     zoomBy(Math.exp(-event.deltaY * zoomPerPixel));
@@ -65,10 +69,22 @@ function refreshControls(): void {
     element<HTMLOutputElement>(`${name}Value`).textContent = look[name].toFixed(2);
   }
   cosine.checked = look.cosine;
+  showObject(look.object ?? plainObject);
 }
 
 function resetView(): void {
-  if (standard !== undefined) change({ light: standard.light, zoom: standard.zoom });
+  if (standard === undefined) return;
+  const object = look?.object === undefined ? {} : { object: withStandardOrbit(look.object) };
+  change({ light: standard.light, zoom: standard.zoom, ...object });
+}
+
+/** Whether what is dragged is an object, and not its light. */
+function turnsObject(event: MouseEvent | KeyboardEvent): boolean {
+  return look?.object !== undefined && !isPlain(look.object) && !event.shiftKey;
+}
+
+function orbit(right: number, down: number): void {
+  if (look?.object !== undefined) change({ object: orbited(look.object, right, down) });
 }
 
 function zoomBy(factor: number): void {
@@ -91,6 +107,12 @@ function watchPointer(): void {
   });
   stage.addEventListener('pointermove', (event) => {
     if (from === undefined || look === undefined) return;
+    if (turnsObject(event)) {
+      const degrees = degreesPerPicture / pictureBox().side;
+      orbit(event.movementX * degrees, event.movementY * degrees);
+      from = pointOf(event);
+      return;
+    }
     const to = pointOf(event);
     change({ light: turned(look.light, from, to) });
     from = to;
@@ -104,6 +126,7 @@ function watchPointer(): void {
 function pressed(event: KeyboardEvent): boolean {
   if (event.ctrlKey || event.altKey || event.metaKey) return false;
   const by = event.shiftKey ? degreesPerFineKey : degreesPerKey;
+  const nudge = turnsObject(event) ? orbitUp : nudgeLight;
   switch (event.key) {
     case 'ArrowLeft': nudge(-by, 0); return true;
     case 'ArrowRight': nudge(by, 0); return true;
@@ -117,6 +140,10 @@ function pressed(event: KeyboardEvent): boolean {
   }
 }
 
-function nudge(right: number, up: number): void {
+function orbitUp(right: number, up: number): void {
+  orbit(right, -up);
+}
+
+function nudgeLight(right: number, up: number): void {
   if (look !== undefined) change({ light: nudged(look.light, right, up) });
 }

@@ -3,8 +3,8 @@ import type { BadPixels, Picture } from '../messages';
 
 export function statusText(picture: Picture): string {
   const { source, width, height, milliseconds, version, badPixels, samples } = picture;
-  const sampled = samples === undefined ? [] : [samples === 1 ? '1 sample' : `${samples} samples`];
-  const parts = [source.toUpperCase(), `${width} × ${height}`, ...sampled, `${milliseconds.toFixed(1)} ms`, `version ${version}`, ...badText(badPixels)];
+  const counted = samples === undefined ? [] : [`${samples.drawn} of ${samples.all} samples`];
+  const parts = [source.toUpperCase(), `${width} × ${height}`, ...counted, `${milliseconds.toFixed(1)} ms`, `version ${version}`, ...badText(badPixels)];
   return parts.join(' · ');
 }
 
