@@ -81,6 +81,7 @@ export function sceneSteps({ program, editor, untilTrue, difference, shot, most 
       assert.match(await page.locator('#notice').textContent(), /line \d+: there is no object `Primitives\/Sphare`.*last good picture/);
       assert.equal(await difference(page, before), 0);
       await untilTrue('the editor is told of no mistake', () => editor.diagnostics.get(uri)?.length === 1);
+      await page.waitForTimeout(500); // Words that come and go come late.
       await shot(page, 'scene-mistake');
       change(text.replace('0.5 + 0.5 * properties', '0.5 + 0.5 * propertees'));
       await page.locator('#notice', { hasText: /error: .*propertees/ }).waitFor();

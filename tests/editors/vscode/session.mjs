@@ -12,6 +12,7 @@ import { neighbourSteps } from './neighbour_steps.mjs';
 import { paneSteps } from './pane_steps.mjs';
 import { previewSteps } from './preview_steps.mjs';
 import { projectSteps } from './project_steps.mjs';
+import { sceneSteps } from './scene_steps.mjs';
 import { serverSteps } from './server_steps.mjs';
 import { textSteps } from './text_steps.mjs';
 import { valueSteps } from './values_steps.mjs';
@@ -20,7 +21,7 @@ import { windowSteps } from './window_steps.mjs';
 const [program, out] = process.argv.slice(2).map((argument) => path.resolve(argument));
 const notRun = 77;
 // Most build on those before.
-const steps = [textSteps, previewSteps, valueSteps, projectSteps, paneSteps, serverSteps, codeSteps, exportSteps, choiceSteps, neighbourSteps, windowSteps].flat();
+const steps = [textSteps, previewSteps, valueSteps, projectSteps, sceneSteps, paneSteps, serverSteps, codeSteps, exportSteps, choiceSteps, neighbourSteps, windowSteps].flat();
 
 if (!existsSync(serverMain) || !existsSync(process.env.CHROMIUM ?? '/usr/bin/chromium')) {
   console.log('left out: VS Code or chromium is not installed; ./dev test installs them');
