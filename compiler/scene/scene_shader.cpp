@@ -3,14 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <set>
 
 #include "scene/glsl_text.h"
 #include "scene/tree_glsl.h"
 #include "scene/tree_plan.h"
 #include "scene/user_code.h"
-#include "source/trimmed.h"
 
 namespace texbrdf::scene {
 namespace {
@@ -208,20 +206,13 @@ SceneShader make_scene_shader(const Scene& scene) {
   return ShaderWriter(scene).run();
 }
 
-std::optional<ComplaintPlace> find_place(const SceneShader& shader, std::string_view complaint) {
-  const char* const end = complaint.data() + complaint.size();
-  uint32_t number = 0;
-  uint32_t line = 0;
-  const auto [colon, no_number] = std::from_chars(complaint.data(), end, number);
-  if (no_number != std::errc{} || colon == end || *colon != ':') return std::nullopt;
-  const auto [behind, no_line] = std::from_chars(colon + 1, end, line);
-  if (no_line != std::errc{} || behind == end || *behind != ':') return std::nullopt;
-  if (number == 0 || number > shader.places.size()) return std::nullopt;
-  std::string message(trimmed(std::string_view(behind + 1, end)));
-  const std::string& prefix = shader.prefixes[number - 1];
-  for (std::size_t at = message.find(prefix); at != std::string::npos; at = message.find(prefix, at))
-    message.erase(at, prefix.size());
-  return ComplaintPlace{shader.places[number - 1], line, std::move(message)};
+std::string in_names_of_user(const SceneShader& shader, uint32_t source, std::string_view message) {
+  std::string text(message);
+  if (source == 0 || source > shader.prefixes.size()) return text;
+  const std::string& prefix = shader.prefixes[source - 1];
+  for (std::size_t at = text.find(prefix); at != std::string::npos; at = text.find(prefix, at))
+    text.erase(at, prefix.size());
+  return text;
 }
 
 std::vector<float> scene_frames(const Scene& scene) {

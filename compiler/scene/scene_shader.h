@@ -1,6 +1,6 @@
 #pragma once
 
-#include <optional>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,16 +29,8 @@ struct SceneShader {
 /// The scene has no fault.
 SceneShader make_scene_shader(const Scene& scene);
 
-/// Where code of a user stands that a GLSL compiler complains about.
-struct ComplaintPlace {
-  CodePlace code;
-  uint32_t line = 0;    ///< of the file, where the code has lines of the file, else of the code; counted from 1
-  std::string message;  ///< with the user's names
-};
-
-/// Of a complaint as glslang writes it without `ERROR: `, `N:LINE: message`. Nothing where it is not about code of
-/// users.
-std::optional<ComplaintPlace> find_place(const SceneShader& shader, std::string_view complaint);
+/// What a GLSL compiler says of code of a user, with the names as they stand in that. `source` is the N of its `#line`.
+std::string in_names_of_user(const SceneShader& shader, uint32_t source, std::string_view message);
 
 /// The uniform array for the present transforms of the dynamic objects: moving one sends it anew and compiles nothing.
 std::vector<float> scene_frames(const Scene& scene);

@@ -12,8 +12,9 @@ std::optional<std::string> describe_code_mistake(const scene::SceneShader& shade
   const scene::CodePlace& place = shader.places[source - 1];
   const std::string_view file = path_from(place.file, folder);
   const std::string path = place.path.empty() ? "" : place.path + ": ";
-  if (place.first_line > 0) return fmt::format("{}({}) error: {}{}", file, line, path, message);
-  return fmt::format("{} error: {}line {} of the code: {}", file, path, line, message);
+  const std::string what = in_names_of_user(shader, source, message);
+  if (place.first_line > 0) return fmt::format("{}({}) error: {}{}", file, line, path, what);
+  return fmt::format("{} error: {}line {} of the code: {}", file, path, line, what);
 }
 
 }  // namespace texbrdf::scene_json

@@ -4,6 +4,10 @@
 #include <string>
 #include <string_view>
 
+#include "scene/check.h"
+#include "scene/distance.h"
+#include "scene/lipschitz.h"
+#include "scene/scene_shader.h"
 #include "scene_json/load_scene.h"
 #include "source/internal_error.h"
 
@@ -27,6 +31,19 @@ class OneText final : public files::FileSource {
   SourceText text_;
 };
 
+/// What has no fault can be compiled, bounded and evaluated.
+void exercise(const scene::Scene& scene) {
+  const scene::SceneShader shader = make_scene_shader(scene);
+  require(!shader.source.empty() && shader.places.size() == shader.prefixes.size(), "a shader without code");
+  require(shader.source.find("nan") == std::string::npos || !scene.shaders.empty() || !scene.user_primitives.empty(),
+          "a number that GLSL does not have");
+  require(scene_frames(scene).size() % 4 == 0, "incomplete frames");
+  require(lipschitz_bounds(scene).size() == scene.nodes.size(), "a node without a bound");
+  if (scene.nodes.size() > 64) return;
+  const scene::Distances distances(scene);
+  for (const double x : {0.0, 0.7, -13.0}) static_cast<void>(distances.at({x, 0.3, -x}));
+}
+
 void check(const scene_json::LoadedScene& loaded) {
   for (const scene_json::Problem& problem : loaded.problems) {
     require(!problem.message.empty() && !scene_json::describe(problem).empty(), "a problem without a message");
@@ -46,6 +63,8 @@ void check(const scene_json::LoadedScene& loaded) {
     require(material.values.size() == scene.shaders.at(material.shader.value).properties.size(),
             "values of a material");
   }
+  require(!scene::find_fault(scene), "a scene with a fault");
+  exercise(scene);
 }
 
 }  // namespace
