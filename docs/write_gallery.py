@@ -91,7 +91,7 @@ def write_model(program, document):
 def write_index(titles):
     rows = [f"| [{title}]({name}.md) | ![sphere]({name}-sphere.png) | <img src=\"{name}-lobe.png\" width=\"300\" alt=\"lobe\"> |"
             for name, title in titles.items()]
-    page = ["# Gallery", "Eleven models, written by `./dev docs` from their documents. [Plots](../plots.md) says what the plots show.",
+    page = ["# Gallery", "Eleven models, written by `./dev docs` from their documents. [Plots](../plots.md) says what the plots show. [Example scenes](scenes/README.md) have a page of their own.",
             "\n".join(["| model | sphere | lobe |", "|---|---|---|", *rows])]
     (GALLERY / "README.md").write_text("\n\n".join(page) + "\n", encoding="utf-8")
 

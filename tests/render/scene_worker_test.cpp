@@ -82,6 +82,41 @@ TEST(SceneWorker, ADynamicObjectMovesWithAUniform) {
   EXPECT_TRUE(is_seen(after, 50));
 }
 
+/// A ball whose function has the slope 1.5.
+scene::Scene steep_ball(double told_lipschitz) {
+  scene::Scene scene;
+  scene::UserPrimitive steep;
+  steep.name = "steep";
+  steep.code = "float steep(vec3 p, Primitive3D primitive) { return 1.5 * (length(p) - primitive.data[0]); }";
+  steep.place = {"steep.primitive.json", "code", 1};
+  steep.lipschitz = told_lipschitz;
+  scene.user_primitives = {steep};
+  scene::Node ball;
+  ball.kind = scene::ObjectKind::UserPrimitive;
+  ball.user_primitive = scene::UserPrimitiveId{0};
+  ball.data[0] = 1;
+  scene.nodes = {ball};
+  scene.roots = {scene::NodeId{0}};
+  return scene;
+}
+
+TEST(SceneWorker, APrimitiveThatLiesAboutItsLipschitzBoundIsLoud) {
+  RenderWorker worker(test::worker_options());
+  const auto middle = [&](double told) {
+    SceneJob job = scene_job(make_scene_shader(steep_ball(told)).source, 32);
+    job.look.view = SceneView::Lipschitz;
+    const Picture picture = test::expect_scene_picture(worker, job);
+    const uint8_t* pixel = picture.image.at(16, 16);
+    return std::array<int, 3>{pixel[0], pixel[1], pixel[2]};
+  };
+  const auto honest = middle(1.5);
+  EXPECT_EQ(honest[0], honest[2]);
+  EXPECT_LE(honest[0], 64);
+  const auto lying = middle(1);
+  EXPECT_EQ(lying[0], 255);
+  EXPECT_EQ(lying[2], 0);
+}
+
 TEST(SceneWorker, TilesMakeTheWholePicture) {
   RenderWorker worker(test::worker_options());
   SceneJob job = scene_job(scene_source(kUnitSphere));
