@@ -65,7 +65,7 @@ function refresh(): void {
   stage.dataset.fresh = fresh;
   status.textContent = last === undefined ? '' : statusText(last);
   notice.textContent = noticeText(fresh);
-  const what = last?.samples === undefined ? 'The BRDF on a lit sphere' : 'The scene';
+  const what = document.body.dataset.kind === 'scene' ? 'The scene' : 'The BRDF on a lit object';
   image.alt = last === undefined ? '' : `${what}. ${statusText(last)}`;
 }
 
