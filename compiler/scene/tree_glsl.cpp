@@ -8,8 +8,8 @@
 namespace texbrdf::scene {
 namespace {
 
-// Each node that is not one expression is a function of a place of its parent and of `most`: where it is not nearer than
-// that, it may say anything that is not nearer either.
+// Each node that is not one expression is a function of a place of its parent and of `most`: where it is not nearer
+// than that, it may say anything that is not nearer either.
 constexpr std::string_view kJoins = R"(
 vec2 nearer(vec2 a, vec2 b) { return b.x < a.x ? b : a; }
 vec2 farther(vec2 a, vec2 b) { return b.x > a.x ? b : a; }
@@ -155,11 +155,11 @@ class TreeWriter {
     line(fmt::format("for (int i = 0; i < {}; ++i) {{", count.x * count.y * count.z));
     line(fmt::format("  vec3 q = p - {} * (first + vec3(i % {}, i / {} % {}, i / {}));", spacing, count.x, count.x,
                      count.y, count.x * count.y));
-    line(fmt::format("  float box = {} + {};", float_text(plan.level), distance_to(plan.centre, plan.half, "q")));
-    line("  if (box >= d.x) continue;");
+    line(fmt::format("  float least = {} + {};", float_text(plan.level), distance_to(plan.centre, plan.half, "q")));
+    line("  if (least >= d.x) continue;");
     for (const uint32_t child : node.children) {
       line(fmt::format("  vec2 e_{} = {};", child, value_of(child, "q", "d.x")));
-      line(fmt::format("  d = nearer(d, vec2(max(e_{}.x, box), e_{}.y));", child, child));
+      line(fmt::format("  d = nearer(d, vec2(max(e_{}.x, least), e_{}.y));", child, child));
     }
     line("}");
   }

@@ -94,7 +94,7 @@ scene::Scene crowd(std::size_t count) {
   return scene;
 }
 
-/// Bounded by the deadline of the worker.
+/// The driver compiles this in seconds; four times as many take longer than the worker has.
 TEST(SceneDistances, OfACrowdAreThoseOfTheReference) {
   Driver driver;
   test::RandomScene random(5);

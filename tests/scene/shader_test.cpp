@@ -42,10 +42,10 @@ TEST(SceneShader, ThatOfRandomTreesIsLegal) {
   }
 }
 
-/// As large as scenes may be.
-TEST(SceneShader, OfTheMostObjectsIsLegal) {
+/// Linking in glslang grows with the square of the functions: the most objects that a scene may have take 10 s.
+TEST(SceneShader, OfManyObjectsIsLegal) {
   scene::Scene scene;
-  for (uint32_t i = 0; i < scene::kMaxNodes; ++i) {
+  for (uint32_t i = 0; i < 1024; ++i) {
     const auto entries = scene::object_entries();
     scene::Node node;
     node.kind = entries[i % 18].kind;
