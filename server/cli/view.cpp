@@ -11,6 +11,7 @@
 #include "files/file_source.h"
 #include "render/gl.h"
 #include "render/glsl_check.h"
+#include "render/scene_screen.h"
 #include "render/scene_tracer.h"
 #include "scene/scene_shader.h"
 #include "viewing/live_scene.h"
@@ -27,9 +28,8 @@ struct ViewOptions {
 };
 
 constexpr uint32_t kMaxWindowSize = 4096;
-/// Seconds after which files are looked at again while nothing happens.
-constexpr double kIdle = 0.1;
-constexpr double kFrame = 1.0 / 60;
+/// Seconds of rest after which files are looked at again, and a picture with fewer pixels is drawn whole.
+constexpr double kRest = 0.1;
 
 /// What can be drawn: a scene and its shader.
 struct Drawable {
@@ -67,15 +67,22 @@ class SceneWindow {
       tell_fault(ready.error(), drawable_.shader);
       return ExitCode::DocumentHasErrors;
     }
-    if (const auto fault = draw(*tracer)) return fail(*fault, ExitCode::NoRenderer);
+    render::SceneScreen screen(gl_, *tracer);
+    bool is_due = true;
+    bool is_moving = false;
+    bool is_holding = false;  // a key
     while (!drawable_.viewer.wants_to_close()) {
-      const window::Events events = window_.take_events(wait_);
+      if (is_due) {
+        const auto drawn = draw(screen, is_moving);
+        if (!drawn) return fail(drawn.error(), ExitCode::NoRenderer);
+        is_whole_ = *drawn;
+      }
+      const window::Events events = window_.take_events(is_moving && (is_whole_ || is_holding) ? 0 : kRest);
       if (events.wants_to_close) break;
-      const bool is_other = drawable_.viewer.apply(input_of(events));
+      is_holding = !events.held.empty();
+      is_moving = drawable_.viewer.apply(input_of(events));
       const bool is_read_anew = reload(*tracer);
-      wait_ = is_other ? 0 : events.held.empty() ? kIdle : kFrame;
-      if (!is_other && !is_read_anew && !events.is_stale) continue;
-      if (const auto fault = draw(*tracer)) return fail(*fault, ExitCode::NoRenderer);
+      is_due = is_moving || is_read_anew || events.is_stale || !is_whole_;
     }
     return ExitCode::Fine;
   }
@@ -126,17 +133,16 @@ class SceneWindow {
     return true;
   }
 
-  std::optional<std::string> draw(render::SceneTracer& tracer) {
+  /// Whether it was drawn with all pixels.
+  Result<bool> draw(render::SceneScreen& screen, bool is_moving) {
     window_.set_title(title());
     const auto [width, height] = window_.size();
-    if (width == 0 || height == 0) return std::nullopt;
-    const render::SceneTile whole{width, height, 0, 0, width, height};
-    const render::SceneDisplay display;
-    const auto drawn = tracer.draw(drawable_.shader.source, state_of(drawable_.viewer.scene()), look(), whole,
-                                   render::scene_sample(0), &display);
-    if (!drawn) return drawn.error();
+    if (width == 0 || height == 0) return true;
+    const auto drawn = screen.draw(drawable_.shader.source, state_of(drawable_.viewer.scene()), look(), width, height,
+                                   render::SceneDisplay{}, is_moving);
+    if (!drawn) return Failure{drawn.error()};
     window_.swap();
-    return std::nullopt;
+    return drawn->is_whole;
   }
 
   viewing::LiveScene files_;
@@ -144,11 +150,15 @@ class SceneWindow {
   window::Window window_;
   const render::Gl& gl_;
   render::GlslChecker checker_;
-  std::string problem_;  ///< of the files as they are now
-  double wait_ = 0;
+  std::string problem_;   ///< of the files as they are now
+  bool is_whole_ = true;  ///< the picture in the window
 };
 
 ExitCode view(const ViewOptions& options) {
+  if (!is_scene_file(options.path)) {
+    print_message(fmt::format("{}: a scene or a part of one is a .json file", options.path));
+    return ExitCode::BadUsage;
+  }
   const std::string path = files::real_path(options.path);
   files::DiskFiles disk;
   if (path.empty() || !disk.text(path)) {

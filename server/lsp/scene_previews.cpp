@@ -91,6 +91,7 @@ bool ScenePreviews::read(const OpenScene& scene, ScenePreview& preview) {
   if (!scene.read || preview.state == scene.state) return false;
   preview.state = scene.state;
   preview.is_told = false;
+  preview.is_rejected = false;
   preview.problem = scene.read->scene ? std::string() : problem_of(*scene.read, scene.path);
   if (!scene.read->scene) return false;
   preview.shader = std::make_shared<const scene::SceneShader>(make_scene_shader(*scene.read->scene));
@@ -104,7 +105,7 @@ bool ScenePreviews::read(const OpenScene& scene, ScenePreview& preview) {
 }
 
 void ScenePreviews::show(int64_t id, const ScenePreview& preview) {
-  if (!painter_ || !preview.seen) return;
+  if (!painter_ || !preview.seen || preview.is_rejected) return;
   const scene::Scene& scene = preview.seen->scene();
   preview::SceneShot shot{.shader = preview.shader,
                           .state = {scene.camera, scene.lights, scene.environment, scene.settings, scene_frames(scene)},

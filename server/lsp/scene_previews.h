@@ -26,10 +26,11 @@ struct ScenePreview {
   uint32_t view = 0;                    ///< of render::scene_view_entries
   std::optional<viewing::Viewer> seen;  ///< nothing before its files could be read without an error
   std::shared_ptr<const scene::SceneShader> shader;
-  uint64_t state = 0;    ///< OpenScene::state when they were read
-  std::string problem;   ///< why the files as they are now are not shown
-  int64_t version = 0;   ///< of the document
-  bool is_told = false;  ///< the client knows `problem`
+  uint64_t state = 0;        ///< OpenScene::state when they were read
+  std::string problem;       ///< why the files as they are now are not shown
+  int64_t version = 0;       ///< of the document
+  bool is_told = false;      ///< the client knows `problem`
+  bool is_rejected = false;  ///< `shader` cannot be compiled
 };
 
 /// The previews of scenes. Their thread starts with the first.

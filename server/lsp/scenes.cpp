@@ -198,6 +198,7 @@ void Session::send_scene_frames() {
     const auto& trouble = std::get<preview::SceneTrouble>(event);
     log_.warning(trouble.fault.message);
     if (trouble.shader != preview.shader) continue;
+    preview.is_rejected = trouble.fault.kind == render::RenderFaultKind::Shader;
     const OpenScene* const scene = scenes_.find(preview.uri);
     const std::string folder = scene == nullptr ? std::string() : files::folder_of(scene->path);
     preview.problem = words_of(trouble, folder);
