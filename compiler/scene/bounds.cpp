@@ -127,8 +127,9 @@ Box primitive_box(const PlannedNode& node) {
 Box repeated(Box box, const PlannedNode& node) {
   for (int axis = 0; axis < 3; ++axis) {
     const bool is_limited = node.kind == ObjectKind::LimitedRepetition;
-    const double reach = is_limited                                                 ? node.data[0] * node.data[axis + 1]
-                         : node.data[static_cast<std::size_t>(axis)] == 0 ? 0 : kInfinity;
+    const double reach = is_limited                                       ? node.data[0] * node.data[axis + 1]
+                         : node.data[static_cast<std::size_t>(axis)] == 0 ? 0
+                                                                          : kInfinity;
     box.low[axis] -= reach;
     box.high[axis] += reach;
   }

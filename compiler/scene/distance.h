@@ -7,8 +7,8 @@
 
 namespace texbrdf::scene {
 
-/// The distance function of a scene without a fault, in double: what its shader says. Primitives of users, which are GLSL,
-/// are left out: no number of theirs is known here.
+/// The distance function of a scene without a fault, in double: what its shader says. Primitives of users, which are
+/// GLSL, are left out: no number of theirs is known here.
 class Distances {
  public:
   explicit Distances(const Scene& scene, const PlanOptions& options = {}) : plan_(plan_tree(scene, options)) {}

@@ -52,9 +52,9 @@ struct PrimitiveEntry {
 
 constexpr std::array kPrimitives{
 #define HELPER(name, ...)
-#define DISTANCE_FUNCTION(kind, name, ...)                       \
-  PrimitiveEntry{ObjectKind::kind,                               \
-                 {#name, count_numbers(in_double::name)},        \
+#define DISTANCE_FUNCTION(kind, name, ...)                \
+  PrimitiveEntry{ObjectKind::kind,                        \
+                 {#name, count_numbers(in_double::name)}, \
                  [](const glm::dvec3& place, const Data& data) { return call(in_double::name, place, data); }},
 #include "scene/distance_functions.def"
 #undef DISTANCE_FUNCTION

@@ -53,7 +53,8 @@ Repetition plan_repetition(const PlannedNode& node, const Box& children, double 
     plan.centre[axis] = is_bounded ? children.centre()[axis] : 0;
     plan.half[axis] = is_bounded ? std::min(children.half()[axis], kLargest) : kLargest;
     if (plan.spacing[axis] > 0)
-      plan.window[axis] = window_for(std::min(plan.half[axis] / plan.spacing[axis], kManyCopies), 2 * plan.last[axis] + 1);
+      plan.window[axis] =
+          window_for(std::min(plan.half[axis] / plan.spacing[axis], kManyCopies), 2 * plan.last[axis] + 1);
   }
   limit(plan.window);
   for (int axis = 0; axis < 3; ++axis) {

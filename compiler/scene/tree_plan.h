@@ -11,9 +11,9 @@
 
 namespace texbrdf::scene {
 
-/// What stands for a node far from it: outside of the box, where the node says more than `level`, its value is taken to be
-/// `level` more than the distance to the box. Within `margin` of the box it passes into the own one:
-/// min(max(value, level + d), level + 2 margin − d), which has a slope of at most 1 and the same sign.
+/// What stands for a node far from it: outside of the box, where the node says more than `level`, its value is taken to
+/// be `level` more than the distance to the box. Within `margin` of the box it passes into the own one: min(max(value,
+/// level + d), level + 2 margin − d), which has a slope of at most 1 and the same sign.
 struct Guard {
   Box box;
   double level = 0;
@@ -30,8 +30,8 @@ struct Repetition {
   double level = 0;  ///< outside of the boxes the children say more than this
 };
 
-/// An object as it is evaluated, on the CPU and in shaders. The value of each has a slope of at most 1, if the primitives
-/// of users keep theirs.
+/// An object as it is evaluated, on the CPU and in shaders. The value of each has a slope of at most 1, if the
+/// primitives of users keep theirs.
 struct PlannedNode {
   ObjectKind kind = ObjectKind::Union;
   std::array<double, kMaxData> data{};

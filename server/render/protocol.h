@@ -15,7 +15,16 @@ namespace texbrdf::render {
 
 // What the render worker and its client say to each other. The worker greets first; then each request gets one answer.
 
-enum class MessageKind : uint32_t { Greeting = 1, DrawRequest, EvaluateRequest, DrawAnswer, EvaluateAnswer, Refusal, SceneRequest, SceneAnswer };
+enum class MessageKind : uint32_t {
+  Greeting = 1,
+  DrawRequest,
+  EvaluateRequest,
+  DrawAnswer,
+  EvaluateAnswer,
+  Refusal,
+  SceneRequest,
+  SceneAnswer
+};
 
 struct Greeting {
   bool has_renderer = false;

@@ -26,9 +26,7 @@ class RandomScene {
     }
   }
 
-  glm::dvec3 place(double reach = 3) {
-    return {real(-reach, reach), real(-reach, reach), real(-reach, reach)};
-  }
+  glm::dvec3 place(double reach = 3) { return {real(-reach, reach), real(-reach, reach), real(-reach, reach)}; }
   double real(double least, double greatest) { return random_.real(least, greatest); }
 
  private:
@@ -92,7 +90,7 @@ class RandomScene {
     const bool is_primitive = what.id != 0;
     const std::size_t count = is_primitive ? (depth < 3 && budget_ > 0 && chance(0.15) ? 1 : 0)
                               : what.object_class == scene::ObjectClass::Binary ? whole(2, chance(0.1) ? 14 : 3)
-                                                                                 : whole(1, 2);
+                                                                                : whole(1, 2);
     const bool repeats =
         what.kind == scene::ObjectKind::InfiniteRepetition || what.kind == scene::ObjectKind::LimitedRepetition;
     repetitions_ += repeats ? 1 : 0;
