@@ -23,7 +23,7 @@ constexpr std::chrono::seconds kPatience{120};
 
 SceneShot shot_of(std::string source, uint32_t size = 32) {
   const render::SceneJob job = scene_job(std::move(source), size);
-  return {.shader = std::make_shared<const scene::SceneShader>(scene::SceneShader{job.source, {}}),
+  return {.shader = std::make_shared<const scene::SceneShader>(scene::SceneShader{job.source, {}, {}}),
           .state = job.state,
           .look = job.look,
           .display = {},
