@@ -74,6 +74,7 @@ export const previewSteps = [
     name: 'moving a slider changes the picture, letting it go the document',
     run: async (editor, { program }) => {
       const range = slider(editor).locator('input[type=range]');
+      await range.scrollIntoViewIfNeeded();
       const box = await range.boundingBox();
       const before = await editor.source();
       await editor.page.mouse.move(box.x + 8, box.y + box.height / 2);

@@ -109,23 +109,23 @@ function previewPage(parts: PageParts, policy: string, scriptAttributes: string)
     </details>
   </div>
   <output id="status" aria-live="off"></output>
-  <section id="object" aria-label="Object and light">
-    <label>Object <select id="shape"><option value="sphere">sphere</option><option value="teapot">teapot</option><option value="file">a .obj file</option></select></label>
-    <label id="shapePathLabel" hidden>path <input id="shapePath" type="text" placeholder="models/cup.obj" spellcheck="false"></label>
-    <label>Light <select id="lightSource"><option value="directional">directional</option><option value="sky">sky</option><option value="furnace">furnace</option><option value="file">a .hdr file</option></select></label>
-    <label id="lightPathLabel" hidden>path <input id="lightPath" type="text" placeholder="lights/yard.hdr" spellcheck="false"></label>
-    <label id="samplesLabel" hidden>samples <input id="samples" type="number" min="1" max="65536" step="1" required></label>
-    <span id="sky" hidden>
-      <label>sun at <input id="sunElevation" type="range" min="0" max="90" step="1"></label>
-      <label>from <input id="sunAzimuth" type="range" min="-180" max="180" step="1"></label>
-      <label>haze <input id="turbidity" type="range" min="2" max="10" step="0.1"></label>
-    </span>
-  </section>
   <section id="look" aria-label="Picture">
     <label>Exposure <input id="exposure" type="range" min="-8" max="8" step="0.01"><output id="exposureValue"></output></label>
     <label>Gamma <input id="gamma" type="range" min="1" max="4" step="0.01"><output id="gammaValue"></output></label>
     <label class="check"><input id="cosine" type="checkbox"> × N·L</label>
     <button id="resetLook">Reset picture</button>
+    <div id="object" role="group" aria-label="Object and light">
+      <label>Object <select id="shape"><option value="sphere">sphere</option><option value="teapot">teapot</option><option value="file">a .obj file</option></select></label>
+      <label id="shapePathLabel" hidden>path <input id="shapePath" type="text" placeholder="models/cup.obj" spellcheck="false"></label>
+      <label>Light <select id="lightSource"><option value="directional">directional</option><option value="sky">sky</option><option value="furnace">furnace</option><option value="file">a .hdr file</option></select></label>
+      <label id="lightPathLabel" hidden>path <input id="lightPath" type="text" placeholder="lights/yard.hdr" spellcheck="false"></label>
+      <label id="samplesLabel" hidden>samples <input id="samples" type="number" min="1" max="65536" step="1" required></label>
+      <span id="sky" hidden>
+        <label>sun at <input id="sunElevation" type="range" min="0" max="90" step="1"></label>
+        <label>from <input id="sunAzimuth" type="range" min="-180" max="180" step="1"></label>
+        <label>haze <input id="turbidity" type="range" min="2" max="10" step="0.1"></label>
+      </span>
+    </div>
   </section>
   <section id="parameters" aria-label="Parameters" hidden>
     <div id="sliders"></div>
