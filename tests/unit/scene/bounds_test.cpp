@@ -143,6 +143,33 @@ TEST(Bounds, SurfacesAreWhereTheFormulasSay) {
   EXPECT_GT(compared, 100);
 }
 
+/// Places in the ball that a value keeps free are on the same side of the surface.
+TEST(Bounds, NoSurfaceIsNearerThanTheValueSays) {
+  int compared = 0;
+  for (uint64_t seed = 1; seed <= kScenes; ++seed) {
+    test::RandomScene random(seed);
+    const Scene scene = random.make();
+    const Plain plain(scene);
+    if (!has_plain_meaning(plain.plan())) continue;
+    const Distances guarded(scene);
+    for (int i = 0; i < 20; ++i) {
+      const glm::dvec3 p = random.place();
+      const double free = std::abs(guarded.at(p)) * (1 - 1e-6) - 1e-9;
+      if (!(free > 0)) continue;
+      const bool is_outside = plain.at(p) > 0;
+      for (const double part : {0.5, 0.8, 0.95, 0.99, 1.0}) {
+        for (int j = 0; j < 6; ++j) {
+          ++compared;
+          const glm::dvec3 q = p + glm::normalize(random.place()) * (free * part);
+          ASSERT_EQ(plain.at(q) > 0, is_outside)
+              << "seed " << seed << ", " << free << " around " << p.x << ' ' << p.y << ' ' << p.z;
+        }
+      }
+    }
+  }
+  EXPECT_GT(compared, 30'000);
+}
+
 TEST(Bounds, GuardsChangeNothingNearSurfacesNorAnySign) {
   constexpr double kNear = 1e-3;
   int near = 0;
