@@ -39,7 +39,8 @@ class TreeWriter {
     }
     text_ += fmt::format("vec2 scene_distance(vec3 place) {{ return {}; }}\n", value_of(plan_.root, "place", kAll));
     const std::string joins(kJoins);
-    std::string head = fmt::format("#define real float\n{}#undef real\n", functions_for(joins + text_));
+    std::string head = "bool scene_guarded = true;\n";
+    head += fmt::format("#define real float\n{}#undef real\n", functions_for(joins + text_));
     head += joins;
     if (text_.find("moved_place(") != std::string::npos) head += kMovedPlace;
     return head + text_;
@@ -103,7 +104,7 @@ class TreeWriter {
     if (node.guard) write_guard(node, scale);
     write_inside(node);
     if (node.guard) {
-      line(fmt::format("d.x = guarded(d.x, outside, {}, {});", float_text(node.guard->level),
+      line(fmt::format("if (scene_guarded) d.x = guarded(d.x, outside, {}, {});", float_text(node.guard->level),
                        float_text(node.guard->margin)));
     }
     if (!scale.empty()) line(fmt::format("d.x *= {};", scale));
@@ -121,8 +122,9 @@ class TreeWriter {
     const Guard& guard = *node.guard;
     const std::string level = float_text(guard.level);
     line(fmt::format("float outside = {};", distance_to(guard.box.centre(), guard.box.half(), "p")));
-    line(fmt::format("if (outside > {} || {} + outside >= most) return vec2(({} + outside){}{}, {});",
-                     float_text(guard.margin), level, level, scale.empty() ? "" : " * ", scale, float_text(node.leaf)));
+    line(
+        fmt::format("if ((scene_guarded && outside > {}) || {} + outside >= most) return vec2(({} + outside){}{}, {});",
+                    float_text(guard.margin), level, level, scale.empty() ? "" : " * ", scale, float_text(node.leaf)));
   }
 
   /// Declares `d`, of all children.

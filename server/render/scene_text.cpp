@@ -105,6 +105,7 @@ vec3 trace_corner_of_tetrahedron(int i) {
 }
 )";
 
+// What asks how near things are, not only whether something is there, asks without guards, which say less than is true.
 // Stage 0 follows the ray of the camera, 1 finds the normal, 2 how open the surroundings are, each further one follows
 // the ray to a light, or is a direction of ambient light.
 // Rays: J. C. Hart, "Sphere tracing", The Visual Computer 12, 1996; one that runs out of steps has met nothing.
@@ -119,6 +120,7 @@ vec3 trace_ray(vec3 ray) {
   vec3 sum = vec3(0.0);
   int stages = 3 + trace_light_count + trace_ambient_count;
   for (int stage = trace_zero; stage < stages; ++stage) {
+    scene_guarded = stage < 2 || (stage > 2 && TRACE_GUARDED_SHADOWS);
     vec3 from = trace_eye;
     vec3 along = ray;
     float reach = trace_max_distance;
@@ -300,9 +302,10 @@ std::string bad_colours() {
 }
 
 std::string defines(const SceneEffects& effects) {
-  return fmt::format("#define TRACE_SHADOW_STEPS {}\n{}{}", effects.shadows == Shadows::None ? "0" : "trace_max_steps",
-                     effects.shadows == Shadows::Soft ? "#define TRACE_SOFT\n" : "",
-                     effects.occlusion ? "#define TRACE_OCCLUSION\n" : "");
+  const bool is_soft = effects.shadows == Shadows::Soft;
+  return fmt::format("#define TRACE_SHADOW_STEPS {}\n#define TRACE_GUARDED_SHADOWS {}\n{}{}",
+                     effects.shadows == Shadows::None ? "0" : "trace_max_steps", !is_soft,
+                     is_soft ? "#define TRACE_SOFT\n" : "", effects.occlusion ? "#define TRACE_OCCLUSION\n" : "");
 }
 
 }  // namespace

@@ -12,6 +12,7 @@ inline std::string scene_source(const std::string& distance, const std::string& 
                                 const std::string& colour = "vec3(0.5)", bool is_lit = true) {
   return "struct FragmentProperties { vec3 world_position, object_position, world_normal, ray_direction; "
          "float ray_distance; };\n"
+         "bool scene_guarded = true;\n"
          "vec2 scene_distance(vec3 p) { return vec2(" +
          distance +
          ", 0.0); }\n"
