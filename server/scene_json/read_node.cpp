@@ -74,8 +74,7 @@ class NodeReader {
       if (primitive) node_.user_primitive = *primitive;
       is_known_ = primitive.has_value();
     } else {
-      reader_.fail(
-          id, fmt::format("there is no object `{}`{}", *name, reader_.is_full() ? "" : suggestion(*name, all_types())));
+      reader_.fail(id, fmt::format("there is no object `{}`{}", *name, reader_.is_full() ? "" : what_was_meant(*name)));
     }
   }
 
@@ -83,10 +82,24 @@ class NodeReader {
     return find_part(scope_, kind, name, where, parts_.table_, parts_.problems_);
   }
 
+  bool is_declared(PartKind kind, const std::string& name) const {
+    const auto& declared = scope_.parts[static_cast<std::size_t>(kind)];
+    return std::ranges::any_of(declared, [&](const auto& part) { return part && part->name == name; });
+  }
+
+  /// Often what stands before the slash is forgotten.
+  std::string what_was_meant(const std::string& name) const {
+    const std::vector<std::string> types = all_types();
+    const auto whole = std::ranges::find_if(types, [&](const auto& type) { return type.ends_with("/" + name); });
+    if (whole != types.end()) return fmt::format(" (did you mean `{}`?)", *whole);
+    if (is_declared(PartKind::Model, name)) return fmt::format(" (did you mean `{}{}`?)", kModels, name);
+    if (is_declared(PartKind::Primitive, name)) return fmt::format(" (did you mean `{}{}`?)", kPrimitives, name);
+    return suggestion(name, types);
+  }
+
   /// Names of no file and no list are rather misspelt ones of ours.
   bool is_of_user(const std::string& name) {
-    const auto& declared = scope_.parts[static_cast<std::size_t>(PartKind::Primitive)];
-    if (std::ranges::any_of(declared, [&](const auto& part) { return part && part->name == name; })) return true;
+    if (is_declared(PartKind::Primitive, name)) return true;
     const std::string path = FileTable::resolve(reader_.file(), name + ".primitive.json");
     return parts_.table_.may_read(path) && parts_.table_.exists(path);
   }
