@@ -10,10 +10,10 @@ namespace texbrdf::scene {
 /// Contains all places of the node's own frame where it and its children say at most `level`, which is not negative.
 /// Infinite where that cannot be told: of planes, repetition without end, dynamic children, primitives of users without
 /// bounds. Grown by a distance it contains what is at most that much more than `level`.
-Box level_box(const TreePlan& plan, uint32_t node, double level);
+Box level_box(const TreePlan& plan, uint32_t index, double level);
 
 /// The same of a node in the frame of its parent; all, if it is dynamic.
-Box placed_box(const TreePlan& plan, uint32_t node, double level);
+Box placed_box(const TreePlan& plan, uint32_t index, double level);
 
 /// The same of all children, united, in the frame of the node.
 Box children_box(const TreePlan& plan, const PlannedNode& node, double level);
